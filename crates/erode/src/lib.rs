@@ -1,0 +1,1 @@
+//! The front of Erode: case files, runs, reports.

@@ -1,0 +1,4 @@
+//! Equations of state of liquids.
+
+mod tait;
+pub use tait::Tait;

@@ -1,0 +1,11 @@
+//! Laws at a point: tensors, equations of state, elasticity, strength.
+//!
+//! Pure functions and small structs; no particles, no grid, no files. SI units throughout;
+//! pressure is positive in compression, stress positive in tension.
+
+pub mod eos;
+pub mod strength;
+pub mod tensor;
+
+mod elastic;
+pub use elastic::Elastic;

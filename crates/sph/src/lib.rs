@@ -1,0 +1,10 @@
+//! Smoothed particle hydrodynamics of liquids and elastic-plastic solids, plane and axisymmetric.
+//!
+//! SI units; positions are (r, z) in axisymmetry with the axis at r = 0, (x, y) in plane strain.
+
+pub mod geometry;
+pub mod kernel;
+pub mod packing;
+pub mod shapes;
+
+pub use geometry::Geometry;
