@@ -5,9 +5,12 @@
 pub mod cavity;
 pub mod fluid;
 pub mod geometry;
+pub mod interface;
 pub mod kernel;
 pub mod neighbours;
 pub mod packing;
 pub mod shapes;
+
+pub mod world;
 
 pub use geometry::Geometry;

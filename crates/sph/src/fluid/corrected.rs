@@ -108,7 +108,9 @@ impl Fluid {
         for (a, f) in forces.iter().enumerate() {
             let (m, v) = (self.mass[a], predicted[a]);
             self.account.dissipation -= dt * m * (f.dissipation[0] * v[0] + f.dissipation[1] * v[1]);
-            self.account.far_field_work += dt * m * (f.far_field[0] * v[0] + f.far_field[1] * v[1]);
+            let far = &self.far_field[a];
+            let leaving = far.normal[0] * v[0] + far.normal[1] * v[1];
+            self.account.far_field_work -= dt * outside[a] * leaving * far.face_area;
             self.acceleration[a] = f.acceleration;
             reaction.push([-m * f.wall[0], -m * f.wall[1]]);
         }

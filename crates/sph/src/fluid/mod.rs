@@ -17,6 +17,7 @@ use corrected::Account;
 use erode_physics::eos::Tait;
 use far_field::FarField;
 use ghosts::Wall;
+use serde::{Deserialize, Serialize};
 
 /// h = SMOOTHING * sqrt(A): the best of 1.15, 1.3 and 1.5 for bubble collapse.
 pub const SMOOTHING: f64 = 1.3;
@@ -53,8 +54,20 @@ pub struct Fluid {
     pub strain_rate: Vec<f64>,
     /// Particles whose outer side is a far field.
     pub far_field: Vec<FarField>,
+    /// Distance from the far side at the start, m; meaningful where there is one.
+    pub(crate) side_depth: Vec<f64>,
+    /// What the particles do to each other.
+    pub formulation: Formulation,
     /// Energy that came and went, and what was counted, since the start.
     pub account: Account,
+}
+
+/// Discrete form of the liquid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Formulation {
+    /// Corrected divergence, Riemann pair values, shifting that carries mass.
+    Corrected(corrected::Settings),
 }
 
 /// Particles of a liquid at the start.
@@ -72,6 +85,8 @@ pub struct Start<'a> {
     pub pressure: f64,
     /// Initial velocity, m/s.
     pub velocity: Vec2,
+    /// Discrete form.
+    pub formulation: Formulation,
 }
 
 impl Fluid {
@@ -98,6 +113,8 @@ impl Fluid {
             support: vec![1.0; n],
             strain_rate: vec![0.0; n],
             far_field: vec![FarField::NONE; n],
+            side_depth: vec![f64::INFINITY; n],
+            formulation: start.formulation,
             account: Account::default(),
         }
     }

@@ -25,8 +25,6 @@ pub(crate) struct Forces {
     pub(crate) acceleration: Vec2,
     /// Part of the numerical dissipation.
     pub(crate) dissipation: Vec2,
-    /// Part of the pressure outside a far field.
-    pub(crate) far_field: Vec2,
     /// Part of the walls that can be pushed (the surfaces of solids).
     pub(crate) wall: Vec2,
 }
@@ -65,7 +63,6 @@ fn forces_on(a: usize, fluid: &Fluid, x: &Extended, outside: f64, gradient: &[[V
     Forces {
         acceleration: [0, 1].map(|i| inner[i] + dissipation[i] + far_field[i]),
         dissipation,
-        far_field,
         wall: scale(wall, -1.0),
     }
 }
