@@ -6,5 +6,6 @@ pub mod geometry;
 pub mod kernel;
 pub mod packing;
 pub mod shapes;
+pub mod solid;
 
 pub use geometry::Geometry;
