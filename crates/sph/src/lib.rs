@@ -10,6 +10,7 @@ pub mod kernel;
 pub mod neighbours;
 pub mod packing;
 pub mod shapes;
+pub mod solid;
 
 pub mod world;
 
