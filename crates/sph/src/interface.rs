@@ -6,6 +6,7 @@
 
 use crate::fluid::ghosts::{Plane, Wall};
 use crate::geometry::{Geometry, Vec2};
+use crate::solid::Surface;
 use rayon::prelude::*;
 
 /// Upper surface of a solid: points in ascending first coordinate.
@@ -22,6 +23,17 @@ pub struct SurfaceLine {
 }
 
 impl SurfaceLine {
+    /// The upper face of a solid as it is now.
+    #[must_use]
+    pub fn of(surface: &Surface) -> Self {
+        Self {
+            position: surface.position.clone(),
+            velocity: surface.velocity.clone(),
+            width: surface.width.clone(),
+            area: surface.area.clone(),
+        }
+    }
+
     /// Index of the segment that holds `r` and the place in it, clamped to the ends.
     fn locate(&self, r: f64) -> (usize, f64) {
         let last = self.position.len().saturating_sub(2);

@@ -5,6 +5,7 @@
 pub mod cavity;
 pub mod fluid;
 pub mod geometry;
+pub mod interact;
 pub mod interface;
 pub mod kernel;
 pub mod neighbours;

@@ -50,8 +50,6 @@ pub struct Account {
     pub dissipation: f64,
     /// Work done by the far field.
     pub far_field_work: f64,
-    /// Work done by solids on the liquid through their surfaces.
-    pub wall_work: f64,
     /// Particles mirrored back at the axis.
     pub axis_crossings: u64,
     /// Particles mirrored back at a wall.
@@ -109,7 +107,10 @@ impl Fluid {
             let (m, v) = (self.mass[a], predicted[a]);
             self.account.dissipation -= dt * m * (f.dissipation[0] * v[0] + f.dissipation[1] * v[1]);
             let far = &self.far_field[a];
-            let leaving = far.normal[0] * v[0] + far.normal[1] * v[1];
+            let half = 0.5 * self.area(a).sqrt();
+            let grad = sweep.kinematics[a].gradient;
+            let stretch = |i: usize| half * (grad[i][0] * far.normal[0] + grad[i][1] * far.normal[1]);
+            let leaving = far.normal[0] * (v[0] + stretch(0)) + far.normal[1] * (v[1] + stretch(1));
             self.account.far_field_work -= dt * outside[a] * leaving * far.face_area;
             self.acceleration[a] = f.acceleration;
             reaction.push([-m * f.wall[0], -m * f.wall[1]]);
