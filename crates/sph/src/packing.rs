@@ -46,7 +46,7 @@ pub struct Options {
     pub axis: bool,
     /// Particles nearer to a hole than this fraction of the spacing are dropped.
     pub hole_margin: f64,
-    /// Largest number of relaxation steps.
+    /// Number of relaxation steps.
     pub steps: usize,
 }
 
@@ -56,7 +56,7 @@ impl Default for Options {
             arrangement: Arrangement::Lattice,
             axis: true,
             hole_margin: 0.0,
-            steps: 300,
+            steps: 150,
         }
     }
 }
@@ -160,7 +160,9 @@ fn fill_shells(domain: &Domain, spacing: &Spacing) -> Result<Filled, PackingErro
     let Some(hole @ &Shape::Disc { centre, radius }) = domain.region.holes.first() else {
         return Err(PackingError::NoDisc);
     };
-    let core_radius = layers::core_radius(domain, spacing, centre).max(radius);
+    // A whole number of shells in the core, so that their areas add up to it.
+    let thickness = (layers::core_radius(domain, spacing, centre) - radius).max(0.0);
+    let core_radius = radius + (thickness / spacing.finest).round() * spacing.finest;
     let spacing = Spacing {
         core: Some(Shape::Disc {
             centre,
@@ -179,3 +181,6 @@ fn fill_shells(domain: &Domain, spacing: &Spacing) -> Result<Filled, PackingErro
         left_over: 0.0,
     })
 }
+
+#[cfg(test)]
+mod tests;
