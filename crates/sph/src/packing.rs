@@ -90,7 +90,8 @@ pub struct Packing {
 /// The core comes first; the caller may reorder. Deterministic: the same bits for any number of threads.
 ///
 /// # Errors
-/// [`PackingError`] when the spacing is not usable, the region is narrower than two spacings, the core lies outside of
+/// [`PackingError`] when the spacing is not usable, the region is narrower than two of the finest or one
+/// of the coarsest spacings in it, the core lies outside of
 /// the region, shells are asked for without a disc hole, or the count exceeds 2^32.
 pub fn pack(
     region: &Region,
