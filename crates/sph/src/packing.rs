@@ -77,6 +77,8 @@ pub struct Packing {
     pub position: Vec<Vec2>,
     /// Area of each particle, m2.
     pub area: Vec<f64>,
+    /// Spacing at each particle, m; the packing is balanced for the smoothing length [`SMOOTHING`] times it.
+    pub spacing: Vec<f64>,
     /// The first so many particles lie in the undisturbed lattice or shells of the core.
     pub undisturbed: usize,
     /// What is left of the force of a uniform pressure.

@@ -86,11 +86,14 @@ pub(super) fn relax(domain: &Domain, filled: Filled, steps: usize) -> Packing {
     let residual = residual(&cloud, domain);
     cloud.position.truncate(n_real);
     cloud.area.truncate(n_real);
+    cloud.spacing.truncate(n_real);
     cloud.position.rotate_left(loose);
     cloud.area.rotate_left(loose);
+    cloud.spacing.rotate_left(loose);
     Packing {
         position: cloud.position,
         area: cloud.area,
+        spacing: cloud.spacing,
         undisturbed: filled.fixed.len(),
         residual,
         steps,
