@@ -46,7 +46,7 @@ pub struct Options {
     pub axis: bool,
     /// Particles nearer to a hole than this fraction of the spacing are dropped.
     pub hole_margin: f64,
-    /// Largest number of relaxation steps.
+    /// Number of relaxation steps.
     pub steps: usize,
 }
 
@@ -56,7 +56,7 @@ impl Default for Options {
             arrangement: Arrangement::Lattice,
             axis: true,
             hole_margin: 0.0,
-            steps: 300,
+            steps: 150,
         }
     }
 }
@@ -77,6 +77,8 @@ pub struct Packing {
     pub position: Vec<Vec2>,
     /// Area of each particle, m2.
     pub area: Vec<f64>,
+    /// Spacing at each particle, m; the packing is balanced for the smoothing length [`SMOOTHING`] times it.
+    pub spacing: Vec<f64>,
     /// The first so many particles lie in the undisturbed lattice or shells of the core.
     pub undisturbed: usize,
     /// What is left of the force of a uniform pressure.
@@ -90,7 +92,8 @@ pub struct Packing {
 /// The core comes first; the caller may reorder. Deterministic: the same bits for any number of threads.
 ///
 /// # Errors
-/// [`PackingError`] when the spacing is not usable, the region is narrower than two spacings, the core lies outside of
+/// [`PackingError`] when the spacing is not usable, the region is narrower than two of the finest or one
+/// of the coarsest spacings in it, the core lies outside of
 /// the region, shells are asked for without a disc hole, or the count exceeds 2^32.
 pub fn pack(
     region: &Region,
@@ -160,7 +163,9 @@ fn fill_shells(domain: &Domain, spacing: &Spacing) -> Result<Filled, PackingErro
     let Some(hole @ &Shape::Disc { centre, radius }) = domain.region.holes.first() else {
         return Err(PackingError::NoDisc);
     };
-    let core_radius = layers::core_radius(domain, spacing, centre).max(radius);
+    // A whole number of shells in the core, so that their areas add up to it.
+    let thickness = (layers::core_radius(domain, spacing, centre) - radius).max(0.0);
+    let core_radius = radius + (thickness / spacing.finest).round() * spacing.finest;
     let spacing = Spacing {
         core: Some(Shape::Disc {
             centre,
@@ -179,3 +184,6 @@ fn fill_shells(domain: &Domain, spacing: &Spacing) -> Result<Filled, PackingErro
         left_over: 0.0,
     })
 }
+
+#[cfg(test)]
+mod tests;

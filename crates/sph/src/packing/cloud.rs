@@ -30,39 +30,58 @@ impl Cloud {
     pub(super) fn new(
         domain: &Domain,
         spacing: &Spacing,
-        mut position: Vec<Vec2>,
-        mut area: Vec<f64>,
+        position: Vec<Vec2>,
+        area: Vec<f64>,
         loose: usize,
         rows: usize,
     ) -> Self {
-        let n_real = position.len();
-        let mut s: Vec<f64> = position.iter().map(|&x| spacing.at(x)).collect();
-        let walls = domain.all_walls();
-        let mut image = Vec::new();
-        for (w, wall) in walls.iter().enumerate() {
-            for i in 0..position.len() {
-                // The partner may be coarser by the growth over the pair radius.
-                let reach = 1.2 * SUPPORT * SMOOTHING * (1.0 + SKIN) * s[i];
-                let depth = wall.depth(position[i]);
-                let open = matches!(wall, Wall::Hole(_)) && i >= loose && i < n_real;
-                if (0.0..reach).contains(&depth) && !open {
-                    position.push(wall.mirror(position[i]));
-                    s.push(s[i]);
-                    area.push(area[i]);
-                    image.push((i as u32, w as u32));
-                }
+        let mut cloud = Self {
+            walls: domain.all_walls(),
+            image: Vec::new(),
+            spacing: position.iter().map(|&x| spacing.at(x)).collect(),
+            position,
+            area,
+            neighbours: Neighbours::default(),
+        };
+        cloud.add_images(loose);
+        let h: Vec<f64> = cloud.spacing.iter().map(|s| SMOOTHING * s).collect();
+        cloud.neighbours = Neighbours::build(&cloud.position, &h, rows, SKIN);
+        cloud
+    }
+
+    /// Mirrors everything at one wall after the other; in a narrow domain, images of images between opposite walls
+    /// follow until they are out of reach.
+    fn add_images(&mut self, loose: usize) {
+        for w in 0..self.walls.len() {
+            let mut new = self.mirror_at(w, 0, loose);
+            if w == 0 || !self.walls[w].is_opposite(&self.walls[w - 1]) {
+                continue;
+            }
+            let mut other = w - 1;
+            while new < self.position.len() {
+                new = self.mirror_at(other, new, loose);
+                other = if other == w { w - 1 } else { w };
             }
         }
-        let h: Vec<f64> = s.iter().map(|s| SMOOTHING * s).collect();
-        let neighbours = Neighbours::build(&position, &h, rows, SKIN);
-        Self {
-            walls,
-            image,
-            position,
-            spacing: s,
-            area,
-            neighbours,
+    }
+
+    /// Adds the images at wall `w` of the particles and images from `first` on that reach over it. Returns the index
+    /// of the first new image.
+    fn mirror_at(&mut self, w: usize, first: usize, loose: usize) -> usize {
+        let (n_real, end) = (self.n_real(), self.position.len());
+        for i in first..end {
+            // The partner may be coarser by the growth over the pair radius.
+            let reach = 1.2 * SUPPORT * SMOOTHING * (1.0 + SKIN) * self.spacing[i];
+            let wall = &self.walls[w];
+            let open = matches!(wall, Wall::Hole(_)) && i >= loose && i < n_real;
+            if (0.0..reach).contains(&wall.depth(self.position[i])) && !open {
+                self.position.push(wall.mirror(self.position[i]));
+                self.spacing.push(self.spacing[i]);
+                self.area.push(self.area[i]);
+                self.image.push((i as u32, w as u32));
+            }
         }
+        end
     }
 
     /// Number of particles without images.

@@ -25,6 +25,14 @@ impl Wall {
         }
     }
 
+    /// Whether two walls are lines across the same direction.
+    pub(super) fn is_opposite(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Line { axis: a, .. }, Self::Line { axis: b, .. }) => a == b,
+            _ => false,
+        }
+    }
+
     /// The mirror image.
     pub(super) fn mirror(&self, x: Vec2) -> Vec2 {
         match self {
@@ -88,13 +96,22 @@ impl<'a> Domain<'a> {
     pub(super) fn check_size(&self, spacing: &Spacing) -> Result<(), PackingError> {
         let (lower, upper) = self.bounding_box();
         let extent = (upper[0] - lower[0]).min(upper[1] - lower[1]);
-        if extent >= 2.0 * spacing.finest {
-            return Ok(());
+        let coarsest_here = [lower, [upper[0], lower[1]], upper, [lower[0], upper[1]]]
+            .map(|corner| spacing.at(corner))
+            .into_iter()
+            .fold(0.0, f64::max);
+        let rows = [(2.0, spacing.finest), (1.0, coarsest_here)];
+        match rows
+            .into_iter()
+            .find(|(n, s)| extent < n * s * (1.0 - 1e-9))
+        {
+            None => Ok(()),
+            Some((rows, spacing)) => Err(PackingError::TooSmall {
+                extent,
+                rows,
+                spacing,
+            }),
         }
-        Err(PackingError::TooSmall {
-            extent,
-            spacing: spacing.finest,
-        })
     }
 
     /// The outer walls and the rims of the holes.

@@ -17,13 +17,15 @@ pub enum PackingError {
         /// The allowed range in words.
         allowed: &'static str,
     },
-    /// The region is narrower than two spacings.
+    /// The region is narrower than two finest or one coarse spacing.
     #[error(
-        "the region is only {extent:e} m wide, less than two particle spacings of {spacing:e} m; make the region larger or the spacing finer"
+        "the region is only {extent:e} m wide, less than {rows} of the particle spacing {spacing:e} m that is reached in it; make the region larger or the spacing finer"
     )]
     TooSmall {
         /// Smallest extent, m.
         extent: f64,
+        /// Spacings that must fit.
+        rows: f64,
         /// Spacing, m.
         spacing: f64,
     },

@@ -143,7 +143,8 @@ impl Offset<'_> {
             return;
         };
         let mut entered = None;
-        for i in first..first + samples {
+        // One sample more than the round trip: where a sample lies on a wall, rounding decides twice.
+        for i in first..=first + samples {
             match (inside(at(i)), inside(at(i + 1))) {
                 (false, true) => entered = Some(crossing(&inside, at(i), at(i + 1))),
                 (true, false) => {

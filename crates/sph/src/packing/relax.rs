@@ -1,8 +1,9 @@
 //! Relaxation of the graded part, and areas for which a uniform pressure is at rest.
 //!
 //! Shifting: dx_a = -K s_a^2 sum_b A_b (1 + R (W_ab/W(s))^4) grad W_ab + BETA x the last move, A = s^2, h = 1.3 s.
-//! With R = 0 the cubic spline lets particles form pairs; R = 0.02 keeps them 0.75 s apart and disturbs the balance
-//! least. Positions are mirrored at the walls; the core stays.
+//! With R = 0 the cubic spline lets particles form pairs, and any R leaves a force behind. So R falls from 0.22 (orders
+//! the particles) to 0.02, and a few steps with R = 0 and without memory follow, too few for pairs to form.
+//! Positions are mirrored at the walls; the core stays.
 
 use super::cloud::{Cloud, SLACK};
 use super::domain::Domain;
@@ -11,17 +12,48 @@ use super::{Filled, Packing, Residual, SMOOTHING};
 use crate::geometry::Vec2;
 use crate::kernel::{self, SUPPORT};
 use rayon::prelude::*;
+use std::f64::consts::PI;
 
 /// Step of the shifting, dimensionless.
 const K: f64 = 0.4;
 /// Part of the last move that is kept.
 const BETA: f64 = 0.9;
-/// Strength of the repulsion that prevents pairs.
-const REPULSION: f64 = 0.02;
+/// Repulsion at the start (on top of the last) and before the final steps.
+const REPULSION: [f64; 2] = [0.2, 0.02];
+/// Final steps without repulsion and memory.
+const FINAL_STEPS: usize = 10;
+/// 1/(W(s) h^2 7 pi/10): q = 1/1.3, W h^2 7 pi/10 = (2 - q)^3/4 - (1 - q)^3.
+const SHAPE_AT_SPACING: f64 = {
+    let q = 1.0 / SMOOTHING;
+    let (t, u) = (2.0 - q, 1.0 - q);
+    1.0 / (0.25 * t * t * t - u * u * u)
+};
 /// Largest move per step in units of the spacing.
 const LONGEST_MOVE: f64 = 0.1;
-/// Shifting ends when no move is longer than this, in units of the spacing.
-const SHORTEST_MOVE: f64 = 1e-4;
+
+/// Strengths of one step of shifting.
+#[derive(Clone, Copy)]
+struct Strength {
+    repulsion: f64,
+    memory: f64,
+}
+
+impl Strength {
+    fn at(step: usize, steps: usize) -> Self {
+        let main = steps.saturating_sub(FINAL_STEPS);
+        if step >= main {
+            return Self {
+                repulsion: 0.0,
+                memory: 0.0,
+            };
+        }
+        let rest = 1.0 - step as f64 / main as f64;
+        Self {
+            repulsion: REPULSION[1] + REPULSION[0] * rest * rest,
+            memory: BETA,
+        }
+    }
+}
 
 /// Relaxes the loose particles and gives all of them areas; the fixed ones come first in the result.
 pub(super) fn relax(domain: &Domain, filled: Filled, steps: usize) -> Packing {
@@ -38,14 +70,10 @@ pub(super) fn relax(domain: &Domain, filled: Filled, steps: usize) -> Packing {
     );
     let mut moved = vec![[0.0; 2]; loose];
     let mut path = vec![0.0; loose];
-    let mut done = 0;
-    while done < steps && loose > 0 {
-        let longest = shift(&mut cloud, &mut moved, &mut path);
+    let steps = if loose > 0 { steps } else { 0 };
+    for step in 0..steps {
+        shift(&mut cloud, &mut moved, &mut path, Strength::at(step, steps));
         cloud.update(&filled.spacing, loose);
-        done += 1;
-        if longest < SHORTEST_MOVE {
-            break;
-        }
         if path.iter().any(|&p| p > SLACK - LONGEST_MOVE) {
             path.fill(0.0);
             cloud = rebuilt(domain, &filled, cloud, loose);
@@ -58,14 +86,17 @@ pub(super) fn relax(domain: &Domain, filled: Filled, steps: usize) -> Packing {
     let residual = residual(&cloud, domain);
     cloud.position.truncate(n_real);
     cloud.area.truncate(n_real);
+    cloud.spacing.truncate(n_real);
     cloud.position.rotate_left(loose);
     cloud.area.rotate_left(loose);
+    cloud.spacing.rotate_left(loose);
     Packing {
         position: cloud.position,
         area: cloud.area,
+        spacing: cloud.spacing,
         undisturbed: filled.fixed.len(),
         residual,
-        steps: done,
+        steps,
     }
 }
 
@@ -77,34 +108,37 @@ fn rebuilt(domain: &Domain, filled: &Filled, mut old: Cloud, rows: usize) -> Clo
     Cloud::new(domain, &filled.spacing, old.position, old.area, loose, rows)
 }
 
-/// One step of shifting. Returns the longest move in units of the spacing.
-fn shift(cloud: &mut Cloud, moved: &mut [Vec2], path: &mut [f64]) -> f64 {
+/// One step of shifting.
+fn shift(cloud: &mut Cloud, moved: &mut [Vec2], path: &mut [f64], strength: Strength) {
+    let gradient = |r, h| repelling_gradient(r, h, strength.repulsion);
     let force: Vec<Vec2> = (0..moved.len())
         .into_par_iter()
-        .map(|a| cloud.vector_sum(a, repelling_gradient))
+        .map(|a| cloud.vector_sum(a, gradient))
         .collect();
-    let mut longest = 0.0_f64;
     for (a, force) in force.iter().enumerate() {
         let s = cloud.spacing[a];
-        let mut step = [0, 1].map(|k| BETA * moved[a][k] - K * s * s * force[k]);
+        let mut step = [0, 1].map(|k| strength.memory * moved[a][k] - K * s * s * force[k]);
         let length = step[0].hypot(step[1]) / s;
         if length > LONGEST_MOVE {
             step = step.map(|d| d * LONGEST_MOVE / length);
         }
-        cloud.position[a] = [
-            cloud.position[a][0] + step[0],
-            cloud.position[a][1] + step[1],
-        ];
+        let x = cloud.position[a];
+        cloud.position[a] = [x[0] + step[0], x[1] + step[1]];
         moved[a] = step;
         path[a] += length.min(LONGEST_MOVE);
-        longest = longest.max(length);
     }
-    longest
 }
 
-fn repelling_gradient(r: f64, h: f64) -> f64 {
-    let near = (kernel::value(r, h) / kernel::value(h / SMOOTHING, h)).powi(2);
-    (1.0 + REPULSION * near * near) * kernel::gradient_factor(r, h)
+/// The gradient factor of the kernel times (1 + R (W/W(s))^4), in one go because all time goes here.
+fn repelling_gradient(r: f64, h: f64, repulsion: f64) -> f64 {
+    // Half of all pairs of the widened list are too far: no branch, max(2 - q, 0) does it.
+    let inverse = 1.0 / h;
+    let q = (r * inverse).max(1e-9);
+    let t = (2.0 - q).max(0.0);
+    let u = (1.0 - q).max(0.0);
+    let scale = 10.0 / (7.0 * PI) * (inverse * inverse).powi(2);
+    let near = (SHAPE_AT_SPACING * (0.25 * t * t * t - u * u * u)).powi(2);
+    scale * (1.0 + repulsion * near * near) * (3.0 * u * u - 0.75 * t * t) / q
 }
 
 /// sum A W of an endless square lattice, the value areas are balanced to (1 - 5e-5 for h = 1.3 s).
@@ -157,5 +191,21 @@ fn residual(cloud: &Cloud, domain: &Domain) -> Residual {
     Residual {
         max: forces.iter().copied().fold(0.0, f64::max),
         mean: forces.iter().sum::<f64>() / forces.len().max(1) as f64,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn repelling_gradient_is_the_kernel_gradient_times_the_repulsion() {
+        let h = 0.3;
+        for i in 1..100 {
+            let r = 0.007 * f64::from(i);
+            let near = kernel::value(r, h) / kernel::value(h / SMOOTHING, h);
+            let expected = (1.0 + 0.2 * near.powi(4)) * kernel::gradient_factor(r, h);
+            assert!((repelling_gradient(r, h, 0.2) - expected).abs() < 1e-9);
+        }
     }
 }
