@@ -48,8 +48,18 @@ impl Colour {
     /// Colour of the liquid and its ghosts.
     #[must_use]
     pub fn new(fluid: &Fluid, ghosts: &Ghosts, window: Window) -> Self {
-        let size = [0, 1].map(|k| ((window.upper[k] - window.lower[k]) / window.cell).round().max(1.0) as usize);
-        let mut colour = Self { window, geometry: fluid.geometry, size, colour: vec![0.0; size[0] * size[1]], reach: 0 };
+        let size = [0, 1].map(|k| {
+            ((window.upper[k] - window.lower[k]) / window.cell)
+                .round()
+                .max(1.0) as usize
+        });
+        let mut colour = Self {
+            window,
+            geometry: fluid.geometry,
+            size,
+            colour: vec![0.0; size[0] * size[1]],
+            reach: 0,
+        };
         let position = ghosts.extend(&fluid.position, |p, x| p.mirror(x));
         let mut finest = f64::INFINITY;
         for (i, x) in position.iter().enumerate() {
@@ -68,13 +78,23 @@ impl Colour {
     fn add(&mut self, x: Vec2, area: f64, h: f64) -> bool {
         let w = self.window;
         let radius = kernel::SUPPORT * h;
-        let cell = |k: usize, v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, self.size[k] as f64);
-        let (i0, i1) = (cell(0, x[0] - radius).ceil().max(0.0) as usize, cell(0, x[0] + radius).floor());
-        let (j0, j1) = (cell(1, x[1] - radius).ceil().max(0.0) as usize, cell(1, x[1] + radius).floor());
+        let cell =
+            |k: usize, v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, self.size[k] as f64);
+        let (i0, i1) = (
+            cell(0, x[0] - radius).ceil().max(0.0) as usize,
+            cell(0, x[0] + radius).floor(),
+        );
+        let (j0, j1) = (
+            cell(1, x[1] - radius).ceil().max(0.0) as usize,
+            cell(1, x[1] + radius).floor(),
+        );
         if i1 < 0.0 || j1 < 0.0 {
             return false;
         }
-        let (i1, j1) = ((i1 as usize).min(self.size[0] - 1), (j1 as usize).min(self.size[1] - 1));
+        let (i1, j1) = (
+            (i1 as usize).min(self.size[0] - 1),
+            (j1 as usize).min(self.size[1] - 1),
+        );
         for j in j0..=j1 {
             for i in i0..=i1 {
                 let c = self.centre(i, j);
@@ -87,7 +107,10 @@ impl Colour {
 
     fn centre(&self, i: usize, j: usize) -> Vec2 {
         let w = self.window;
-        [w.lower[0] + (i as f64 + 0.5) * w.cell, w.lower[1] + (j as f64 + 0.5) * w.cell]
+        [
+            w.lower[0] + (i as f64 + 0.5) * w.cell,
+            w.lower[1] + (j as f64 + 0.5) * w.cell,
+        ]
     }
 
     /// Void volume of cell k, m3.
@@ -186,8 +209,16 @@ impl Colour {
             }
         }
         let on_axis = self.geometry == Geometry::Axisymmetric && inner < self.window.cell;
-        let centre = [if on_axis { 0.0 } else { moment[0] / volume }, moment[1] / volume];
-        Cavity { volume, centre, inner_radius: if on_axis { 0.0 } else { inner }, extent }
+        let centre = [
+            if on_axis { 0.0 } else { moment[0] / volume },
+            moment[1] / volume,
+        ];
+        Cavity {
+            volume,
+            centre,
+            inner_radius: if on_axis { 0.0 } else { inner },
+            extent,
+        }
     }
 
     /// Radius of the void about `centre` along `rays` directions at equal polar angles from the upper pole (m): the radius r
@@ -208,7 +239,10 @@ impl Colour {
         let mut k = 0.5;
         while behind < self.reach as f64 * self.window.cell {
             let s = k * step;
-            let Some(c) = self.at([centre[0] + s * direction[0], centre[1] + s * direction[1]]) else { break };
+            let Some(c) = self.at([centre[0] + s * direction[0], centre[1] + s * direction[1]])
+            else {
+                break;
+            };
             sum += (1.0 - c) * s * s * step;
             if c >= 0.5 {
                 behind += step;
@@ -229,6 +263,9 @@ impl Colour {
         let (i, j) = (u[0] as usize, u[1] as usize);
         let (f, g) = (u[0] - i as f64, u[1] - j as f64);
         let c = |i: usize, j: usize| self.colour[i + self.size[0] * j];
-        Some((1.0 - g) * ((1.0 - f) * c(i, j) + f * c(i + 1, j)) + g * ((1.0 - f) * c(i, j + 1) + f * c(i + 1, j + 1)))
+        Some(
+            (1.0 - g) * ((1.0 - f) * c(i, j) + f * c(i + 1, j))
+                + g * ((1.0 - f) * c(i, j + 1) + f * c(i + 1, j + 1)),
+        )
     }
 }

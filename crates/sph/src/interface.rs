@@ -37,7 +37,11 @@ impl SurfaceLine {
     /// Index of the segment that holds `r` and the place in it, clamped to the ends.
     fn locate(&self, r: f64) -> (usize, f64) {
         let last = self.position.len().saturating_sub(2);
-        let i = self.position.partition_point(|p| p[0] <= r).saturating_sub(1).min(last);
+        let i = self
+            .position
+            .partition_point(|p| p[0] <= r)
+            .saturating_sub(1)
+            .min(last);
         let (a, b) = (self.position[i], self.position[i + 1]);
         (i, ((r - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0))
     }
@@ -45,11 +49,23 @@ impl SurfaceLine {
     /// Pushes of the liquid as pressure at each point, Pa. `force` are forces (N) of liquid particles on the surface at
     /// `position`, `reach` the widths over which they are spread.
     #[must_use]
-    pub fn pressure(&self, geometry: Geometry, position: &[Vec2], force: &[Vec2], reach: &[f64]) -> Vec<f64> {
+    pub fn pressure(
+        &self,
+        geometry: Geometry,
+        position: &[Vec2],
+        force: &[Vec2],
+        reach: &[f64],
+    ) -> Vec<f64> {
         let mut pressure = vec![0.0; self.position.len()];
         let pushes: Vec<(usize, Vec<f64>)> = (0..position.len())
             .into_par_iter()
-            .map(|a| if force[a] == [0.0; 2] { (0, Vec::new()) } else { self.spread(geometry, position[a], force[a], reach[a]) })
+            .map(|a| {
+                if force[a] == [0.0; 2] {
+                    (0, Vec::new())
+                } else {
+                    self.spread(geometry, position[a], force[a], reach[a])
+                }
+            })
             .collect();
         for (first, shares) in pushes {
             for (k, p) in shares.iter().enumerate() {
@@ -66,12 +82,18 @@ impl SurfaceLine {
         let push = -(force[0] * normal[0] + force[1] * normal[1]);
         let near = self.width[i].max(self.width[i + 1]);
         let reach = reach.max(near);
-        let first = self.position.partition_point(|p| p[0] <= x[0] - 2.0 * reach);
+        let first = self
+            .position
+            .partition_point(|p| p[0] <= x[0] - 2.0 * reach);
         let last = self.position.partition_point(|p| p[0] < x[0] + 2.0 * reach);
         let hat = |k: usize| {
             let r = self.position[k][0];
             let bell = |d: f64| (1.0 - (0.5 * d / reach).powi(2)).max(0.0).powi(2);
-            let mirrored = if geometry == Geometry::Axisymmetric { bell(r + x[0]) } else { 0.0 };
+            let mirrored = if geometry == Geometry::Axisymmetric {
+                bell(r + x[0])
+            } else {
+                0.0
+            };
             bell(r - x[0]) + mirrored
         };
         let sum: f64 = (first..last).map(|k| hat(k) * self.area[k]).sum();
@@ -99,7 +121,11 @@ impl Wall for SurfaceLine {
         let offset = normal[0] * p[0] + normal[1] * p[1];
         let mix = |k: usize| (1.0 - f) * self.velocity[i][k] + f * self.velocity[i + 1][k];
         let speed = normal[0] * mix(0) + normal[1] * mix(1);
-        let plane = Plane { normal, offset, speed };
+        let plane = Plane {
+            normal,
+            offset,
+            speed,
+        };
         (plane.distance(x) < reach).then_some(plane)
     }
 
@@ -117,7 +143,9 @@ mod tests {
             position: (0..n).map(|i| [(i as f64 + 0.5) * w, 0.0]).collect(),
             velocity: vec![[0.0, 2.0]; n],
             width: vec![w; n],
-            area: (0..n).map(|i| Geometry::Axisymmetric.ring((i as f64 + 0.5) * w) * w).collect(),
+            area: (0..n)
+                .map(|i| Geometry::Axisymmetric.ring((i as f64 + 0.5) * w) * w)
+                .collect(),
         }
     }
 

@@ -16,8 +16,6 @@ pub enum Body {
     Fluid(Fluid),
     /// Elastic-plastic metal; its top face meets the liquid.
     Solid(Solid),
-    /// Frictionless rigid wall at rest.
-    Wall(Plane),
 }
 
 /// A body with the name the user gave it.
@@ -104,17 +102,34 @@ impl World {
             for b in &bodies[i + 1..] {
                 if let Interaction::Missing(what) = between(&a.body, &b.body) {
                     let (first, second) = (a.name.clone(), b.name.clone());
-                    return Err(WorldError::Missing { first, second, what });
+                    return Err(WorldError::Missing {
+                        first,
+                        second,
+                        what,
+                    });
                 }
             }
         }
-        Ok(Self { bodies, time: 0.0, step: 0, safety })
+        Ok(Self {
+            bodies,
+            time: 0.0,
+            step: 0,
+            safety,
+        })
     }
 
     /// Largest stable step (s) and what sets it.
     #[must_use]
     pub fn stable_time_step(&self) -> (f64, Limiter) {
-        let mut best = (f64::INFINITY, Limiter { body: 0, particle: 0, position: [0.0; 2], reason: "nothing" });
+        let mut best = (
+            f64::INFINITY,
+            Limiter {
+                body: 0,
+                particle: 0,
+                position: [0.0; 2],
+                reason: "nothing",
+            },
+        );
         for (i, named) in self.bodies.iter().enumerate() {
             let (dt, particle, position, reason) = match &named.body {
                 Body::Fluid(f) => {
@@ -123,12 +138,24 @@ impl World {
                 }
                 Body::Solid(s) => {
                     let limit = s.stable_time_step();
-                    (limit.dt, limit.particle, s.state.position[limit.particle], limit.reason)
+                    (
+                        limit.dt,
+                        limit.particle,
+                        s.state.position[limit.particle],
+                        limit.reason,
+                    )
                 }
-                Body::Wall(_) => continue,
             };
             if dt < best.0 {
-                best = (dt, Limiter { body: i, particle, position, reason });
+                best = (
+                    dt,
+                    Limiter {
+                        body: i,
+                        particle,
+                        position,
+                        reason,
+                    },
+                );
             }
         }
         best
@@ -164,38 +191,57 @@ impl World {
         self.check_finite()
     }
 
-    fn each_solid(&mut self, mut f: impl FnMut(&mut Solid) -> Result<(), SolidError>) -> Result<(), WorldError> {
+    fn each_solid(
+        &mut self,
+        mut f: impl FnMut(&mut Solid) -> Result<(), SolidError>,
+    ) -> Result<(), WorldError> {
         for named in &mut self.bodies {
             if let Body::Solid(s) = &mut named.body {
-                f(s).map_err(|source| WorldError::Solid { body: named.name.clone(), source })?;
+                f(s).map_err(|source| WorldError::Solid {
+                    body: named.name.clone(),
+                    source,
+                })?;
             }
         }
         Ok(())
     }
 
     fn move_liquids(&mut self, dt: f64) -> Vec<crate::fluid::corrected::Sweep> {
-        let walls = Walls::of(&self.bodies);
-        let walls = walls.list();
-        let fluids = self.bodies.iter_mut().filter_map(|b| if let Body::Fluid(f) = &mut b.body { Some(f) } else { None });
+        let lines = wetted_lines(&self.bodies);
+        let fluids = self.bodies.iter_mut().filter_map(|b| {
+            if let Body::Fluid(f) = &mut b.body {
+                Some(f)
+            } else {
+                None
+            }
+        });
         fluids
             .map(|f| {
                 let Formulation::Corrected(settings) = f.formulation;
-                f.move_corrected(&settings, &walls, dt)
+                let sides = f.sides.clone();
+                f.move_corrected(&settings, &walls(&sides, &lines), dt)
             })
             .collect()
     }
 
     /// Forces on the liquids; their push on the solids.
     fn push_liquids(&mut self, sweeps: &[crate::fluid::corrected::Sweep], dt: f64) {
-        let walls = Walls::of(&self.bodies);
-        let list = walls.list();
-        let mut pressures: Vec<Vec<f64>> = walls.lines.iter().map(|l| vec![0.0; l.position.len()]).collect();
+        let lines = wetted_lines(&self.bodies);
+        let mut pressures: Vec<Vec<f64>> =
+            lines.iter().map(|l| vec![0.0; l.position.len()]).collect();
         let time = self.time + dt;
-        let fluids = self.bodies.iter_mut().filter_map(|b| if let Body::Fluid(f) = &mut b.body { Some(f) } else { None });
+        let fluids = self.bodies.iter_mut().filter_map(|b| {
+            if let Body::Fluid(f) = &mut b.body {
+                Some(f)
+            } else {
+                None
+            }
+        });
         for (f, sweep) in fluids.zip(sweeps) {
-            let reaction = f.push_corrected(sweep, &list, dt, time);
+            let sides = f.sides.clone();
+            let reaction = f.push_corrected(sweep, &walls(&sides, &lines), dt, time);
             f.kick(0.5 * dt);
-            for (line, sum) in walls.lines.iter().zip(&mut pressures) {
+            for (line, sum) in lines.iter().zip(&mut pressures) {
                 let push = line.pressure(f.geometry, &f.position, &reaction, &f.smoothing_length);
                 sum.iter_mut().zip(push).for_each(|(s, p)| *s += p);
             }
@@ -216,12 +262,20 @@ impl World {
             let (position, velocity) = match &named.body {
                 Body::Fluid(f) => (&f.position, &f.velocity),
                 Body::Solid(s) => (&s.state.position, &s.state.velocity),
-                Body::Wall(_) => continue,
             };
             for (particle, (x, v)) in position.iter().zip(velocity).enumerate() {
                 if !(x[0] + x[1] + v[0] + v[1]).is_finite() {
-                    let field = if (x[0] + x[1]).is_finite() { "velocity" } else { "position" };
-                    return Err(WorldError::NotFinite { body: named.name.clone(), particle, field, position: *x });
+                    let field = if (x[0] + x[1]).is_finite() {
+                        "velocity"
+                    } else {
+                        "position"
+                    };
+                    return Err(WorldError::NotFinite {
+                        body: named.name.clone(),
+                        particle,
+                        field,
+                        position: *x,
+                    });
                 }
             }
         }
@@ -229,27 +283,23 @@ impl World {
     }
 }
 
-/// The walls of the liquids at one instant.
-struct Walls {
-    planes: Vec<Plane>,
-    lines: Vec<SurfaceLine>,
+/// Surfaces that wet the liquids, in the order of the bodies.
+fn wetted_lines(bodies: &[Named]) -> Vec<SurfaceLine> {
+    let solids = bodies.iter().filter_map(|b| {
+        if let Body::Solid(s) = &b.body {
+            Some(s)
+        } else {
+            None
+        }
+    });
+    solids
+        .filter_map(|s| s.surface(Side::Top))
+        .map(SurfaceLine::of)
+        .collect()
 }
 
-impl Walls {
-    fn of(bodies: &[Named]) -> Self {
-        let mut walls = Self { planes: Vec::new(), lines: Vec::new() };
-        for named in bodies {
-            match &named.body {
-                Body::Wall(plane) => walls.planes.push(*plane),
-                Body::Solid(s) => walls.lines.extend(s.surface(Side::Top).map(SurfaceLine::of)),
-                Body::Fluid(_) => {}
-            }
-        }
-        walls
-    }
-
-    fn list(&self) -> Vec<&dyn Wall> {
-        let planes = self.planes.iter().map(|p| p as &dyn Wall);
-        planes.chain(self.lines.iter().map(|l| l as &dyn Wall)).collect()
-    }
+/// Walls of one liquid: its rigid sides, then the surfaces.
+fn walls<'a>(sides: &'a [Plane], lines: &'a [SurfaceLine]) -> Vec<&'a dyn Wall> {
+    let planes = sides.iter().map(|p| p as &dyn Wall);
+    planes.chain(lines.iter().map(|l| l as &dyn Wall)).collect()
 }

@@ -28,7 +28,10 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { shifting: 10.0, shifting_limit: 2.0 }
+        Self {
+            shifting: 10.0,
+            shifting_limit: 2.0,
+        }
     }
 }
 
@@ -77,7 +80,11 @@ impl Fluid {
         }
         self.drift(0.5 * dt, walls);
         self.update_pressure();
-        Sweep { ghosts, list, kinematics }
+        Sweep {
+            ghosts,
+            list,
+            kinematics,
+        }
     }
 
     fn advance_volume(&mut self, kinematics: &[Kinematics], dt: f64) {
@@ -92,7 +99,13 @@ impl Fluid {
 
     /// Step 5 without the kick: forces at the end of the step (`time`). Returns the force of the liquid on the surfaces of solids,
     /// N per particle (whole ring).
-    pub(crate) fn push_corrected(&mut self, sweep: &Sweep, walls: &[&dyn Wall], dt: f64, time: f64) -> Vec<Vec2> {
+    pub(crate) fn push_corrected(
+        &mut self,
+        sweep: &Sweep,
+        walls: &[&dyn Wall],
+        dt: f64,
+        time: f64,
+    ) -> Vec<Vec2> {
         let predicted: Vec<Vec2> = (0..self.len())
             .map(|a| [0, 1].map(|i| self.velocity[a][i] + 0.5 * dt * self.acceleration[a][i]))
             .collect();
@@ -105,11 +118,13 @@ impl Fluid {
         let mut reaction = Vec::with_capacity(self.len());
         for (a, f) in forces.iter().enumerate() {
             let (m, v) = (self.mass[a], predicted[a]);
-            self.account.dissipation -= dt * m * (f.dissipation[0] * v[0] + f.dissipation[1] * v[1]);
+            self.account.dissipation -=
+                dt * m * (f.dissipation[0] * v[0] + f.dissipation[1] * v[1]);
             let far = &self.far_field[a];
             let half = 0.5 * self.area(a).sqrt();
             let grad = sweep.kinematics[a].gradient;
-            let stretch = |i: usize| half * (grad[i][0] * far.normal[0] + grad[i][1] * far.normal[1]);
+            let stretch =
+                |i: usize| half * (grad[i][0] * far.normal[0] + grad[i][1] * far.normal[1]);
             let leaving = far.normal[0] * (v[0] + stretch(0)) + far.normal[1] * (v[1] + stretch(1));
             self.account.far_field_work -= dt * outside[a] * leaving * far.face_area;
             self.acceleration[a] = f.acceleration;

@@ -22,7 +22,10 @@ impl Extended {
         let n = fluid.len();
         let area: Vec<f64> = (0..n).map(|a| fluid.area(a)).collect();
         let density: Vec<f64> = (0..n).map(|a| fluid.density(a)).collect();
-        let sound_speed: Vec<f64> = density.iter().map(|d| fluid.eos.sound_speed_at(*d)).collect();
+        let sound_speed: Vec<f64> = density
+            .iter()
+            .map(|d| fluid.eos.sound_speed_at(*d))
+            .collect();
         Self {
             position: ghosts.extend(&fluid.position, |p, x| p.mirror(x)),
             velocity: ghosts.extend(velocity, |p, v| p.mirror_velocity(v)),

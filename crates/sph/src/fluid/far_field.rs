@@ -27,7 +27,13 @@ pub struct FarField {
 
 impl FarField {
     /// No far field.
-    pub const NONE: Self = Self { normal: [0.0; 2], pressure: 0.0, step_pressure: 0.0, start: 0.0, face_area: 0.0 };
+    pub const NONE: Self = Self {
+        normal: [0.0; 2],
+        pressure: 0.0,
+        step_pressure: 0.0,
+        start: 0.0,
+        face_area: 0.0,
+    };
 
     /// Whether there is one.
     #[must_use]
@@ -42,7 +48,11 @@ impl FarField {
             return 0.0;
         }
         let integral = |p: f64| eos.riemann_integral(eos.density(p));
-        let step = if time >= self.start { self.step_pressure } else { self.pressure };
+        let step = if time >= self.start {
+            self.step_pressure
+        } else {
+            self.pressure
+        };
         let u = velocity[0] * self.normal[0] + velocity[1] * self.normal[1];
         let f = u + 2.0 * integral(step) - integral(self.pressure);
         eos.pressure_of_riemann_integral(f).max(0.0)
@@ -66,18 +76,33 @@ impl Fluid {
             let depth = side.distance(self.position[a]);
             let nearest = self.far_field[a].is_some() && self.side_depth[a] <= depth;
             if depth < REACH * self.smoothing_length[a] && !nearest {
-                self.far_field[a] = FarField { normal: outward, face_area: 0.0, ..far };
+                self.far_field[a] = FarField {
+                    normal: outward,
+                    face_area: 0.0,
+                    ..far
+                };
                 self.side_depth[a] = depth;
             }
             if depth < OUTERMOST * self.area(a).sqrt() {
-                row.push((tangent[0] * self.position[a][0] + tangent[1] * self.position[a][1], a));
+                row.push((
+                    tangent[0] * self.position[a][0] + tangent[1] * self.position[a][1],
+                    a,
+                ));
             }
         }
         row.sort_by(|p, q| p.0.total_cmp(&q.0));
         for (k, (place, a)) in row.iter().enumerate() {
             let width = self.area(*a).sqrt();
-            let from = if k > 0 { 0.5 * (row[k - 1].0 + place) } else { place - 0.5 * width };
-            let to = if k + 1 < row.len() { 0.5 * (row[k + 1].0 + place) } else { place + 0.5 * width };
+            let from = if k > 0 {
+                0.5 * (row[k - 1].0 + place)
+            } else {
+                place - 0.5 * width
+            };
+            let to = if k + 1 < row.len() {
+                0.5 * (row[k + 1].0 + place)
+            } else {
+                place + 0.5 * width
+            };
             self.far_field[*a].face_area = (to - from) * self.geometry.ring(self.position[*a][0]);
         }
     }

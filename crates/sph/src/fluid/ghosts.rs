@@ -26,7 +26,10 @@ impl Plane {
 
     fn reflect(&self, x: Vec2, about: f64) -> Vec2 {
         let d = self.normal[0] * x[0] + self.normal[1] * x[1] - about;
-        [x[0] - 2.0 * d * self.normal[0], x[1] - 2.0 * d * self.normal[1]]
+        [
+            x[0] - 2.0 * d * self.normal[0],
+            x[1] - 2.0 * d * self.normal[1],
+        ]
     }
 
     /// Mirror image of a point.
@@ -91,7 +94,11 @@ pub const AXIS: u32 = u32::MAX;
 /// A particle is mirrored when nearer than this many smoothing lengths: support 2 plus room for graded spacing.
 const REACH: f64 = 2.5;
 
-const AXIS_PLANE: Plane = Plane { normal: [1.0, 0.0], offset: 0.0, speed: 0.0 };
+const AXIS_PLANE: Plane = Plane {
+    normal: [1.0, 0.0],
+    offset: 0.0,
+    speed: 0.0,
+};
 
 impl Ghosts {
     /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too.
@@ -109,7 +116,10 @@ impl Ghosts {
         }
         ghosts.mirror_corners(fluid, walls);
         if fluid.geometry == Geometry::Axisymmetric {
-            let (count, position) = (n + ghosts.source.len(), ghosts.extend(&fluid.position, Plane::mirror));
+            let (count, position) = (
+                n + ghosts.source.len(),
+                ghosts.extend(&fluid.position, Plane::mirror),
+            );
             for a in 0..count {
                 let h = fluid.smoothing_length[ghosts.particle(n, a)];
                 if position[a][0] < REACH * h {

@@ -38,7 +38,10 @@ const CLUMPING: f64 = 0.2;
 
 /// Kinematics of every particle.
 pub(crate) fn sweep(fluid: &Fluid, x: &Extended, list: &Neighbours) -> Vec<Kinematics> {
-    (0..fluid.len()).into_par_iter().map(|a| sums_of(a, fluid, x, list)).collect()
+    (0..fluid.len())
+        .into_par_iter()
+        .map(|a| sums_of(a, fluid, x, list))
+        .collect()
 }
 
 fn sums_of(a: usize, fluid: &Fluid, x: &Extended, list: &Neighbours) -> Kinematics {
@@ -51,15 +54,24 @@ fn sums_of(a: usize, fluid: &Fluid, x: &Extended, list: &Neighbours) -> Kinemati
         let d = pair.separation;
         let factor = x.area[b] * pair.factor;
         let gw = [factor * d[0], factor * d[1]];
-        m = [m[0] - d[0] * gw[0], m[1] - d[0] * gw[1], m[2] - d[1] * gw[1]];
+        m = [
+            m[0] - d[0] * gw[0],
+            m[1] - d[0] * gw[1],
+            m[2] - d[1] * gw[1],
+        ];
         for i in 0..2 {
             let dv = x.velocity[b][i] - va[i];
             g[i] = [g[i][0] + dv * gw[0], g[i][1] + dv * gw[1]];
         }
-        let w = kernel::value(pair.distance, pair.h) / kernel::value(pair.h / super::SMOOTHING, pair.h);
+        let w =
+            kernel::value(pair.distance, pair.h) / kernel::value(pair.h / super::SMOOTHING, pair.h);
         let clump = 1.0 + CLUMPING * w * w * w * w;
         crowding = [crowding[0] + clump * gw[0], crowding[1] + clump * gw[1]];
-        let ring = if rings { PI * (x.position[a][0] + x.position[b][0]).abs() } else { 1.0 };
+        let ring = if rings {
+            PI * (x.position[a][0] + x.position[b][0]).abs()
+        } else {
+            1.0
+        };
         exchange -= ring * x.area[a] * factor * pair.distance * pressure_jump(x, a, b, d);
     }
     let correction = inverse(m);
@@ -78,7 +90,8 @@ fn sums_of(a: usize, fluid: &Fluid, x: &Extended, list: &Neighbours) -> Kinemati
 /// (p_a - p_b - linear part)/(rho c), m/s; exactly antisymmetric.
 #[inline]
 fn pressure_jump(x: &Extended, a: usize, b: usize, d: Vec2) -> f64 {
-    let slope = |k: usize| x.density[k] * (x.acceleration[k][0] * d[0] + x.acceleration[k][1] * d[1]);
+    let slope =
+        |k: usize| x.density[k] * (x.acceleration[k][0] * d[0] + x.acceleration[k][1] * d[1]);
     let jump = limited(x.pressure[a] - x.pressure[b], -0.5 * (slope(a) + slope(b)));
     jump / (0.5 * (x.density[a] * x.sound_speed[a] + x.density[b] * x.sound_speed[b]))
 }

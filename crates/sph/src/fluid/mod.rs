@@ -16,7 +16,7 @@ use crate::geometry::{Geometry, Vec2};
 use corrected::Account;
 use erode_physics::eos::Tait;
 use far_field::FarField;
-use ghosts::Wall;
+use ghosts::{Plane, Wall};
 use serde::{Deserialize, Serialize};
 
 /// h = SMOOTHING * sqrt(A): the best of 1.15, 1.3 and 1.5 for bubble collapse.
@@ -52,6 +52,8 @@ pub struct Fluid {
     pub support: Vec<f64>,
     /// Norm of the velocity gradient, 1/s.
     pub strain_rate: Vec<f64>,
+    /// Rigid sides without friction: mirrors.
+    pub sides: Vec<Plane>,
     /// Particles whose outer side is a far field.
     pub far_field: Vec<FarField>,
     /// Distance from the far side at the start, m; meaningful where there is one.
@@ -112,6 +114,7 @@ impl Fluid {
             initial_smoothing_length: h,
             support: vec![1.0; n],
             strain_rate: vec![0.0; n],
+            sides: Vec::new(),
             far_field: vec![FarField::NONE; n],
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
@@ -202,7 +205,9 @@ impl Fluid {
     #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
         (0..self.len())
-            .map(|a| 0.5 * self.mass[a] * (self.velocity[a][0].powi(2) + self.velocity[a][1].powi(2)))
+            .map(|a| {
+                0.5 * self.mass[a] * (self.velocity[a][0].powi(2) + self.velocity[a][1].powi(2))
+            })
             .sum()
     }
 

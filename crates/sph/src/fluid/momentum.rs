@@ -33,11 +33,22 @@ pub(crate) struct Forces {
 pub(crate) fn sweep(fluid: &Fluid, x: &Extended, outside: &[f64], sweep: &Sweep) -> Vec<Forces> {
     let gradient: Vec<[Vec2; 2]> = sweep.kinematics.iter().map(|k| k.gradient).collect();
     let gradient = sweep.ghosts.extend(&gradient, |p, g| p.mirror_tensor(g));
-    (0..fluid.len()).into_par_iter().map(|a| forces_on(a, fluid, x, outside[a], &gradient, sweep)).collect()
+    (0..fluid.len())
+        .into_par_iter()
+        .map(|a| forces_on(a, fluid, x, outside[a], &gradient, sweep))
+        .collect()
 }
 
-fn forces_on(a: usize, fluid: &Fluid, x: &Extended, outside: f64, gradient: &[[Vec2; 2]], sweep: &Sweep) -> Forces {
-    let (mut pressure, mut friction, mut plain, mut wall) = ([0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
+fn forces_on(
+    a: usize,
+    fluid: &Fluid,
+    x: &Extended,
+    outside: f64,
+    gradient: &[[Vec2; 2]],
+    sweep: &Sweep,
+) -> Forces {
+    let (mut pressure, mut friction, mut plain, mut wall) =
+        ([0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
     for &b in sweep.list.of(a) {
         let b = b as usize;
         let Some(pair) = x.pair(a, b) else { continue };
@@ -56,7 +67,8 @@ fn forces_on(a: usize, fluid: &Fluid, x: &Extended, outside: f64, gradient: &[[V
             }
         }
     }
-    let scale = |v: Vec2, s: f64| apply(correction(&sweep.kinematics[a]), v).map(|c| c * s / x.density[a]);
+    let scale =
+        |v: Vec2, s: f64| apply(correction(&sweep.kinematics[a]), v).map(|c| c * s / x.density[a]);
     let dissipation = scale(friction, -1.0);
     let far_field = scale(plain, 2.0 * outside);
     let inner = scale(pressure, -1.0);
@@ -68,12 +80,23 @@ fn forces_on(a: usize, fluid: &Fluid, x: &Extended, outside: f64, gradient: &[[V
 }
 
 fn correction(k: &Kinematics) -> Sym2 {
-    if k.support > INSIDE { k.correction } else { [1.0, 0.0, 1.0] }
+    if k.support > INSIDE {
+        k.correction
+    } else {
+        [1.0, 0.0, 1.0]
+    }
 }
 
 /// q_ab, Pa.
 #[inline]
-fn dissipation(x: &Extended, gradient: &[[Vec2; 2]], a: usize, b: usize, d: Vec2, distance: f64) -> f64 {
+fn dissipation(
+    x: &Extended,
+    gradient: &[[Vec2; 2]],
+    a: usize,
+    b: usize,
+    d: Vec2,
+    distance: f64,
+) -> f64 {
     let (va, vb) = (x.velocity[a], x.velocity[b]);
     let jump = -((va[0] - vb[0]) * d[0] + (va[1] - vb[1]) * d[1]) / distance;
     if jump <= 0.0 {

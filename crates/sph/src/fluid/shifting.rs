@@ -23,7 +23,10 @@ const LARGEST_SHARE: f64 = 0.1;
 
 /// Shifting velocities, m/s.
 pub(crate) fn velocities(fluid: &Fluid, kinematics: &[Kinematics], s: &Settings) -> Vec<Vec2> {
-    (0..fluid.len()).into_par_iter().map(|a| velocity_of(a, fluid, &kinematics[a], s)).collect()
+    (0..fluid.len())
+        .into_par_iter()
+        .map(|a| velocity_of(a, fluid, &kinematics[a], s))
+        .collect()
 }
 
 fn velocity_of(a: usize, fluid: &Fluid, k: &Kinematics, s: &Settings) -> Vec2 {
@@ -41,7 +44,11 @@ fn velocity_of(a: usize, fluid: &Fluid, k: &Kinematics, s: &Settings) -> Vec2 {
     }
     let limit = s.shifting_limit * h * strain;
     let speed = d[0].hypot(d[1]);
-    if speed > limit { d.map(|c| c * limit / speed) } else { d }
+    if speed > limit {
+        d.map(|c| c * limit / speed)
+    } else {
+        d
+    }
 }
 
 /// Frobenius norm of a velocity gradient, 1/s.
@@ -50,7 +57,13 @@ pub(crate) fn norm(g: &[Vec2; 2]) -> f64 {
 }
 
 /// Moves volume, mass and momentum between neighbours for one step of shifting with velocities `shift`.
-pub(crate) fn exchange(fluid: &mut Fluid, ghosts: &Ghosts, list: &Neighbours, shift: &[Vec2], dt: f64) {
+pub(crate) fn exchange(
+    fluid: &mut Fluid,
+    ghosts: &Ghosts,
+    list: &Neighbours,
+    shift: &[Vec2],
+    dt: f64,
+) {
     let n = fluid.len();
     let x = Extended::new(fluid, ghosts, &fluid.velocity);
     let shift = ghosts.extend(shift, |p, d| p.mirror_direction(d));
@@ -58,7 +71,11 @@ pub(crate) fn exchange(fluid: &mut Fluid, ghosts: &Ghosts, list: &Neighbours, sh
     let share: Vec<f64> = (0..n)
         .into_par_iter()
         .map(|a| {
-            let given: f64 = list.of(a).iter().map(|&b| flow(fluid, &x, &shift, a, b as usize).min(0.0)).sum();
+            let given: f64 = list
+                .of(a)
+                .iter()
+                .map(|&b| flow(fluid, &x, &shift, a, b as usize).min(0.0))
+                .sum();
             (LARGEST_SHARE * fluid.volume[a] / (-dt * given).max(f64::MIN_POSITIVE)).min(1.0)
         })
         .collect();
@@ -79,7 +96,8 @@ pub(crate) fn exchange(fluid: &mut Fluid, ghosts: &Ghosts, list: &Neighbours, sh
         .collect();
     for (a, gain) in gains.iter().enumerate() {
         let m = fluid.mass[a] + gain.mass;
-        fluid.velocity[a] = [0, 1].map(|i| (fluid.mass[a] * fluid.velocity[a][i] + gain.momentum[i]) / m);
+        fluid.velocity[a] =
+            [0, 1].map(|i| (fluid.mass[a] * fluid.velocity[a][i] + gain.momentum[i]) / m);
         fluid.mass[a] = m;
         fluid.volume[a] += gain.volume;
     }
@@ -99,7 +117,10 @@ impl Gain {
         let mass = volume * density;
         self.volume += volume;
         self.mass += mass;
-        self.momentum = [self.momentum[0] + mass * velocity[0], self.momentum[1] + mass * velocity[1]];
+        self.momentum = [
+            self.momentum[0] + mass * velocity[0],
+            self.momentum[1] + mass * velocity[1],
+        ];
     }
 }
 
