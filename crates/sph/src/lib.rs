@@ -4,6 +4,7 @@
 
 pub mod geometry;
 pub mod kernel;
+pub mod neighbours;
 pub mod packing;
 pub mod shapes;
 
