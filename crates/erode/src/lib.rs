@@ -1,3 +1,4 @@
 //! The front of Erode: case files, runs, reports.
 
 pub mod case;
+pub mod materials;

@@ -19,13 +19,34 @@ use std::{collections::BTreeMap, path::Path};
 
 /// Files compiled into the program: (name, text).
 const EMBEDDED: &[(&str, &str)] = &[
-    ("aluminium_6061_t6", include_str!("../../../materials/aluminium_6061_t6.toml")),
-    ("aluminium_cao2022", include_str!("../../../materials/aluminium_cao2022.toml")),
-    ("copper_annealed", include_str!("../../../materials/copper_annealed.toml")),
-    ("steel_1045", include_str!("../../../materials/steel_1045.toml")),
-    ("steel_316l", include_str!("../../../materials/steel_316l.toml")),
-    ("steel_a2205", include_str!("../../../materials/steel_a2205.toml")),
-    ("titanium_6al4v", include_str!("../../../materials/titanium_6al4v.toml")),
+    (
+        "aluminium_6061_t6",
+        include_str!("../../../materials/aluminium_6061_t6.toml"),
+    ),
+    (
+        "aluminium_cao2022",
+        include_str!("../../../materials/aluminium_cao2022.toml"),
+    ),
+    (
+        "copper_annealed",
+        include_str!("../../../materials/copper_annealed.toml"),
+    ),
+    (
+        "steel_1045",
+        include_str!("../../../materials/steel_1045.toml"),
+    ),
+    (
+        "steel_316l",
+        include_str!("../../../materials/steel_316l.toml"),
+    ),
+    (
+        "steel_a2205",
+        include_str!("../../../materials/steel_a2205.toml"),
+    ),
+    (
+        "titanium_6al4v",
+        include_str!("../../../materials/titanium_6al4v.toml"),
+    ),
     ("water", include_str!("../../../materials/water.toml")),
 ];
 
@@ -103,7 +124,8 @@ impl Material {
             && let Some((law, _)) = fields.chosen("strength")
         {
             if self.law.as_deref().is_some_and(|old| old != law) {
-                self.properties.retain(|p, _| !p.starts_with("solid.strength."));
+                self.properties
+                    .retain(|p, _| !p.starts_with("solid.strength."));
             }
             self.law = Some(law.to_owned());
         }
@@ -111,12 +133,29 @@ impl Material {
             let inner = format!("{path}.{key}");
             match &node.data {
                 Data::Property(value, source) => {
-                    let full = |s: &String| sources.and_then(|t| t.text(s)).map_or_else(|| s.clone(), str::to_owned);
-                    self.properties.insert(inner, Property { value: *value, source: source.as_ref().map(full) });
+                    let full = |s: &String| {
+                        sources
+                            .and_then(|t| t.text(s))
+                            .map_or_else(|| s.clone(), str::to_owned)
+                    };
+                    self.properties.insert(
+                        inner,
+                        Property {
+                            value: *value,
+                            source: source.as_ref().map(full),
+                        },
+                    );
                 }
                 // Formulations are no properties of the material.
                 Data::Table(entries) if key != "formulation" => {
-                    self.overlay(&inner, Fields { span: node.span, entries }, sources);
+                    self.overlay(
+                        &inner,
+                        Fields {
+                            span: node.span,
+                            entries,
+                        },
+                        sources,
+                    );
                 }
                 _ => {}
             }
@@ -161,7 +200,11 @@ impl Material {
     /// Whether the material can be used as a solid, with the strain-rate term where its law has one.
     #[must_use]
     pub fn is_solid(&self) -> bool {
-        self.solid(Terms { strain_rate: true, thermal_softening: false }).is_ok()
+        self.solid(Terms {
+            strain_rate: true,
+            thermal_softening: false,
+        })
+        .is_ok()
     }
 }
 
@@ -173,7 +216,10 @@ struct Need<'a> {
 
 impl<'a> Need<'a> {
     fn new(material: &'a Material) -> Self {
-        Self { material, missing: Vec::new() }
+        Self {
+            material,
+            missing: Vec::new(),
+        }
     }
 
     fn get(&mut self, path: &str) -> f64 {
@@ -185,15 +231,19 @@ impl<'a> Need<'a> {
     }
 
     fn finish<T>(self, value: T) -> Result<T, Vec<String>> {
-        if self.missing.is_empty() { Ok(value) } else { Err(self.missing) }
+        if self.missing.is_empty() {
+            Ok(value)
+        } else {
+            Err(self.missing)
+        }
     }
 
     fn strength(&mut self, terms: Terms) -> Strength {
         match self.material.law.as_deref() {
             Some("elastic") => Strength::Elastic,
-            Some("perfectly_plastic") => {
-                Strength::PerfectlyPlastic { yield_stress: self.get("solid.strength.perfectly_plastic.yield_stress") }
-            }
+            Some("perfectly_plastic") => Strength::PerfectlyPlastic {
+                yield_stress: self.get("solid.strength.perfectly_plastic.yield_stress"),
+            },
             Some("linear_hardening") => Strength::LinearHardening {
                 yield_stress: self.get("solid.strength.linear_hardening.yield_stress"),
                 hardening_modulus: self.get("solid.strength.linear_hardening.hardening_modulus"),
@@ -253,9 +303,16 @@ impl Library {
     }
 
     /// Adds the `NAME.toml` files of a folder; they replace materials of the same name.
-    pub(crate) fn read_folder(&mut self, folder: &Path, findings: &mut Findings) -> Result<(), CaseError> {
+    pub(crate) fn read_folder(
+        &mut self,
+        folder: &Path,
+        findings: &mut Findings,
+    ) -> Result<(), CaseError> {
         let fail = |e: std::io::Error| {
-            let message = format!("the materials folder {} cannot be read: {e}", folder.display());
+            let message = format!(
+                "the materials folder {} cannot be read: {e}",
+                folder.display()
+            );
             CaseError::whole(message, "check the path and its permissions")
         };
         let mut files: Vec<_> = std::fs::read_dir(folder)
@@ -266,7 +323,10 @@ impl Library {
         files.sort();
         for file in files {
             let text = crate::case::load::read_text(&file)?;
-            let name = file.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+            let name = file
+                .file_stem()
+                .map(|s| s.to_string_lossy().into_owned())
+                .unwrap_or_default();
             self.materials.remove(&name);
             self.read_text(&name, &file.display().to_string(), &text, findings);
         }
@@ -280,14 +340,27 @@ impl Library {
         if findings.count() > before {
             return;
         }
-        let node = check_table(&raw, Span { source, start: 0, end: 0 }, &MATERIAL, "", findings);
+        let node = check_table(
+            &raw,
+            Span {
+                source,
+                start: 0,
+                end: 0,
+            },
+            &MATERIAL,
+            "",
+            findings,
+        );
         require_sources(&node, findings);
         self.add(name, &node);
     }
 
     /// Completes or adds a material from a checked table.
     pub(crate) fn add(&mut self, name: &str, node: &Node) {
-        let material = self.materials.entry(name.to_owned()).or_insert_with(|| Material::empty(name));
+        let material = self
+            .materials
+            .entry(name.to_owned())
+            .or_insert_with(|| Material::empty(name));
         if let Some(fields) = node.fields() {
             material.overlay_material(fields);
         }
@@ -309,15 +382,25 @@ impl Library {
 fn require_sources(node: &Node, findings: &mut Findings) {
     let Some(root) = node.fields() else { return };
     let sources = root.table("sources");
-    let mut stack: Vec<&Node> = ["fluid", "solid"].iter().filter_map(|k| root.node(k)).collect();
+    let mut stack: Vec<&Node> = ["fluid", "solid"]
+        .iter()
+        .filter_map(|k| root.node(k))
+        .collect();
     while let Some(node) = stack.pop() {
         match &node.data {
             Data::Table(entries) => stack.extend(entries.iter().map(|(_, n)| n)),
             Data::Property(_, source) => {
-                let known = source.as_ref().is_some_and(|s| sources.is_some_and(|t| t.text(s).is_some()));
+                let known = source
+                    .as_ref()
+                    .is_some_and(|s| sources.is_some_and(|t| t.text(s).is_some()));
                 if !known {
                     let help = "write { value = \"...\", source = \"key\" } and explain the key under [sources]";
-                    findings.error(node.span, "this number has no source", "its source is not in [sources]", help);
+                    findings.error(
+                        node.span,
+                        "this number has no source",
+                        "its source is not in [sources]",
+                        help,
+                    );
                 }
             }
             _ => {}

@@ -41,13 +41,19 @@ struct Place {
 impl CaseError {
     /// An error about a file as a whole.
     pub(crate) fn whole(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), help: Some(help.into()), place: None }
+        Self {
+            message: message.into(),
+            help: Some(help.into()),
+            place: None,
+        }
     }
 
     /// File (or `--set`), line and column, counted from 1, if the error has a place.
     #[must_use]
     pub fn position(&self) -> Option<(&str, usize, usize)> {
-        self.place.as_ref().map(|p| (p.source.name(), p.line, p.column))
+        self.place
+            .as_ref()
+            .map(|p| (p.source.name(), p.line, p.column))
     }
 }
 
@@ -61,7 +67,9 @@ impl std::error::Error for CaseError {}
 
 impl Diagnostic for CaseError {
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.help.as_ref().map(|h| Box::new(h) as Box<dyn fmt::Display>)
+        self.help
+            .as_ref()
+            .map(|h| Box::new(h) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -71,7 +79,11 @@ impl Diagnostic for CaseError {
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let p = self.place.as_ref()?;
         let label = Some(p.label.clone()).filter(|l| !l.is_empty());
-        Some(Box::new(std::iter::once(LabeledSpan::new(label, p.start, p.end - p.start))))
+        Some(Box::new(std::iter::once(LabeledSpan::new(
+            label,
+            p.start,
+            p.end - p.start,
+        ))))
     }
 }
 
@@ -84,7 +96,9 @@ pub struct CaseErrors {
 
 impl From<CaseError> for CaseErrors {
     fn from(error: CaseError) -> Self {
-        Self { errors: vec![error] }
+        Self {
+            errors: vec![error],
+        }
     }
 }
 
@@ -118,7 +132,10 @@ pub(crate) struct Findings {
 impl Findings {
     /// Adds a text and returns its number.
     pub(crate) fn add_source(&mut self, name: impl Into<String>, text: &str) -> usize {
-        self.sources.push(Source { name: name.into(), text: text.into() });
+        self.sources.push(Source {
+            name: name.into(),
+            text: text.into(),
+        });
         self.sources.len() - 1
     }
 
@@ -137,9 +154,23 @@ impl Findings {
         let line = before.matches('\n').count() + 1;
         let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
         let named = NamedSource::new(&source.name, Arc::clone(&source.text));
-        let place = Some(Place { source: named, start, end, line, column, label: label.into() });
+        let place = Some(Place {
+            source: named,
+            start,
+            end,
+            line,
+            column,
+            label: label.into(),
+        });
         let help = Some(help.into()).filter(|h: &String| !h.is_empty());
-        self.found.push((Some(span), CaseError { message: message.into(), help, place }));
+        self.found.push((
+            Some(span),
+            CaseError {
+                message: message.into(),
+                help,
+                place,
+            },
+        ));
     }
 
     /// Number of errors so far.
@@ -149,9 +180,14 @@ impl Findings {
 
     /// The errors in the order of the texts, or nothing.
     pub(crate) fn into_errors(mut self) -> Option<CaseErrors> {
-        self.found.sort_by_key(|(span, _)| span.map(|s| (s.source, s.start)));
+        self.found
+            .sort_by_key(|(span, _)| span.map(|s| (s.source, s.start)));
         let errors: Vec<CaseError> = self.found.into_iter().map(|(_, e)| e).collect();
-        if errors.is_empty() { None } else { Some(CaseErrors { errors }) }
+        if errors.is_empty() {
+            None
+        } else {
+            Some(CaseErrors { errors })
+        }
     }
 }
 

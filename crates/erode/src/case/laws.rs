@@ -22,8 +22,19 @@ pub(crate) fn fluid(
     match material.fluid() {
         Ok(eos) => Some(eos),
         Err(missing) => {
-            let usable = library.iter().filter(|m| m.is_fluid()).map(|m| m.name.as_str());
-            report(fields.at(key), name, "a liquid", &missing, usable, library, findings);
+            let usable = library
+                .iter()
+                .filter(|m| m.is_fluid())
+                .map(|m| m.name.as_str());
+            report(
+                fields.at(key),
+                name,
+                "a liquid",
+                &missing,
+                usable,
+                library,
+                findings,
+            );
             None
         }
     }
@@ -46,15 +57,29 @@ pub(crate) fn solid(
     match material.solid(terms) {
         Ok(laws) => Some(laws),
         Err(missing) => {
-            let usable = library.iter().filter(|m| m.solid(terms).is_ok()).map(|m| m.name.as_str());
-            report(fields.at(key), name, "a solid", &missing, usable, library, findings);
+            let usable = library
+                .iter()
+                .filter(|m| m.solid(terms).is_ok())
+                .map(|m| m.name.as_str());
+            report(
+                fields.at(key),
+                name,
+                "a solid",
+                &missing,
+                usable,
+                library,
+                findings,
+            );
             None
         }
     }
 }
 
 fn with_own(name: &str, part: &str, own: Option<Fields<'_>>, library: &Library) -> Material {
-    let mut material = library.get(name).cloned().unwrap_or_else(|| Material::empty(name));
+    let mut material = library
+        .get(name)
+        .cloned()
+        .unwrap_or_else(|| Material::empty(name));
     if let Some(own) = own {
         material.overlay(part, own, None);
     }
@@ -72,12 +97,23 @@ fn report<'a>(
 ) {
     let Some(material) = library.get(name) else {
         let all: Vec<&str> = library.iter().map(|m| m.name.as_str()).collect();
-        let mut help = did_you_mean(name, usable.clone(), &format!("materials that can be {role}"));
+        let mut help = did_you_mean(
+            name,
+            usable.clone(),
+            &format!("materials that can be {role}"),
+        );
         if let (None, Some(other)) = (closest(name, usable), closest(name, all.into_iter())) {
             help = format!("did you mean `{other}`? {help}");
         }
-        help.push_str("; `erode materials` shows them, a folder `materials` beside the case adds own ones");
-        findings.error(span, format!("there is no material `{name}`"), "not in the library", help);
+        help.push_str(
+            "; `erode materials` shows them, a folder `materials` beside the case adds own ones",
+        );
+        findings.error(
+            span,
+            format!("there is no material `{name}`"),
+            "not in the library",
+            help,
+        );
         return;
     };
     let list = missing.join(", ");
@@ -94,21 +130,36 @@ fn report<'a>(
     }
     let table = missing[0].rsplit_once('.').map_or("", |(table, _)| table);
     let last = missing[0].rsplit('.').next().unwrap_or_default();
-    help.push_str(&format!("Give what is missing in the case, as [material.{name}.{table}] {last} = ..."));
-    if missing.iter().all(|m| m.ends_with(".c") || m.ends_with(".reference_rate")) {
+    help.push_str(&format!(
+        "Give what is missing in the case, as [material.{name}.{table}] {last} = ..."
+    ));
+    if missing
+        .iter()
+        .all(|m| m.ends_with(".c") || m.ends_with(".reference_rate"))
+    {
         help.push_str(", or switch the rate term off with strain_rate = false");
     }
     let usable: Vec<&str> = usable.collect();
     help.push_str(&format!(". Complete as {role}: {}", usable.join(", ")));
-    findings.error(span, format!("`{name}` cannot be used as {role}: it lacks {list}"), "incomplete", help);
+    findings.error(
+        span,
+        format!("`{name}` cannot be used as {role}: it lacks {list}"),
+        "incomplete",
+        help,
+    );
 }
 
 /// Discrete form of a liquid under `key`.
 pub(crate) fn fluid_formulation(fields: Fields<'_>, key: &str) -> Option<FluidFormulation> {
     let (name, f) = fields.chosen(key)?;
     Some(match name {
-        "joshi" => FluidFormulation::Joshi { alpha: f.number("alpha")?, beta: f.number("beta")? },
-        _ => FluidFormulation::Corrected { shifting: f.number("shifting")? },
+        "joshi" => FluidFormulation::Joshi {
+            alpha: f.number("alpha")?,
+            beta: f.number("beta")?,
+        },
+        _ => FluidFormulation::Corrected {
+            shifting: f.number("shifting")?,
+        },
     })
 }
 

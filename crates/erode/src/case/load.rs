@@ -38,18 +38,35 @@ impl Case {
     ///
     /// # Errors
     /// Everything that is wrong with the case, each with its place and what is allowed.
-    pub fn load(path: &Path, overrides: &[String], materials_dirs: &[PathBuf]) -> Result<Loaded, CaseErrors> {
+    pub fn load(
+        path: &Path,
+        overrides: &[String],
+        materials_dirs: &[PathBuf],
+    ) -> Result<Loaded, CaseErrors> {
         let file = find_file(path)?;
         let source = read_text(&file)?;
         if source.trim().is_empty() {
             let message = format!("{} is empty", file.display());
-            return Err(CaseError::whole(message, "start from a template: erode new bubble-near-wall").into());
+            return Err(CaseError::whole(
+                message,
+                "start from a template: erode new bubble-near-wall",
+            )
+            .into());
         }
         let mut folders = materials_dirs.to_vec();
-        folders.extend(file.parent().map(|p| p.join("materials")).filter(|p| p.is_dir()));
+        folders.extend(
+            file.parent()
+                .map(|p| p.join("materials"))
+                .filter(|p| p.is_dir()),
+        );
         let simulation = read(&file.display().to_string(), &source, overrides, &folders)?;
         let resolved_toml = resolved::write(&simulation);
-        Ok(Loaded { simulation, resolved_toml, source, file })
+        Ok(Loaded {
+            simulation,
+            resolved_toml,
+            source,
+            file,
+        })
     }
 
     /// Checks a case that is given as text, with the materials of the program.
@@ -61,7 +78,12 @@ impl Case {
     }
 }
 
-fn read(name: &str, text: &str, overrides: &[String], folders: &[PathBuf]) -> Result<Simulation, CaseErrors> {
+fn read(
+    name: &str,
+    text: &str,
+    overrides: &[String],
+    folders: &[PathBuf],
+) -> Result<Simulation, CaseErrors> {
     let mut library = Library::embedded()?;
     let mut findings = Findings::default();
     let source = findings.add_source(name, text);
@@ -76,7 +98,17 @@ fn read(name: &str, text: &str, overrides: &[String], folders: &[PathBuf]) -> Re
     // What was lost to a syntax error would be reported again as missing.
     let mut simulation = None;
     if syntax_errors == 0 {
-        let node = check_table(&raw, Span { source, start: 0, end: 0 }, &CASE, "", &mut findings);
+        let node = check_table(
+            &raw,
+            Span {
+                source,
+                start: 0,
+                end: 0,
+            },
+            &CASE,
+            "",
+            &mut findings,
+        );
         simulation = build::simulation(&node, &mut library, &mut findings);
     }
     let complete = simulation.is_some();
@@ -101,7 +133,10 @@ fn find_file(path: &Path) -> Result<PathBuf, CaseError> {
         let help = if found.is_empty() {
             "give a case file or a folder that contains case.toml; `erode new bubble-near-wall DIR` writes one".to_owned()
         } else {
-            format!("give a case file or a folder that contains case.toml; in here: {}", found.join(", "))
+            format!(
+                "give a case file or a folder that contains case.toml; in here: {}",
+                found.join(", ")
+            )
         };
         return Err(CaseError::whole(message, help));
     }
@@ -114,14 +149,25 @@ fn find_file(path: &Path) -> Result<PathBuf, CaseError> {
 
 /// Names what lies in the folder where the file was looked for.
 fn missing_file_help(path: &Path) -> String {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = path
+        .parent()
+        .filter(|p| !p.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
     if !folder.is_dir() {
         return format!("the folder {} does not exist either", folder.display());
     }
-    let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
-    let mut names: Vec<String> = entries.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+    let entries = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .filter_map(Result::ok);
+    let mut names: Vec<String> = entries
+        .map(|e| e.file_name().to_string_lossy().into_owned())
+        .collect();
     names.sort();
-    let wanted = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let wanted = path
+        .file_name()
+        .map(|n| n.to_string_lossy().into_owned())
+        .unwrap_or_default();
     match super::suggest::closest(&wanted, names.iter().map(String::as_str)) {
         Some(name) => format!("did you mean {}?", folder.join(name).display()),
         None => "`erode new bubble-near-wall DIR` writes a case to start from".to_owned(),
@@ -129,7 +175,10 @@ fn missing_file_help(path: &Path) -> String {
 }
 
 fn toml_files(folder: &Path) -> Vec<String> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+    let entries = std::fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .filter_map(Result::ok);
     let names = entries.map(|e| e.file_name().to_string_lossy().into_owned());
     let mut names: Vec<String> = names.filter(|n| n.ends_with(".toml")).collect();
     names.sort();
@@ -140,7 +189,10 @@ fn toml_files(folder: &Path) -> Vec<String> {
 /// Reads a text file.
 pub(crate) fn read_text(file: &Path) -> Result<String, CaseError> {
     let bytes = std::fs::read(file).map_err(|e| {
-        CaseError::whole(format!("{} cannot be read: {e}", file.display()), "check the path and its permissions")
+        CaseError::whole(
+            format!("{} cannot be read: {e}", file.display()),
+            "check the path and its permissions",
+        )
     })?;
     String::from_utf8(bytes).map_err(|e| {
         let valid = e.utf8_error().valid_up_to();
@@ -152,6 +204,9 @@ pub(crate) fn read_text(file: &Path) -> Result<String, CaseError> {
             file.display(),
             e.as_bytes()[valid]
         );
-        CaseError::whole(message, "save the file as UTF-8 text; a compressed or binary file is no case")
+        CaseError::whole(
+            message,
+            "save the file as UTF-8 text; a compressed or binary file is no case",
+        )
     })
 }

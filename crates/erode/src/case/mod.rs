@@ -19,9 +19,9 @@ pub(crate) mod load;
 pub(crate) mod node;
 mod overrides;
 pub(crate) mod raw;
-mod regions;
 mod relations;
 mod resolved;
+mod resolved_items;
 mod schema;
 mod setups;
 mod simulation;
@@ -34,6 +34,6 @@ pub use error::{CaseError, CaseErrors};
 pub use json_schema::json_schema;
 pub use load::{Case, Loaded};
 pub use simulation::{
-    Body, BodyKind, Bubble, Fluid, FluidFormulation, Output, Probe, Run, Side, Sides, Simulation, Solid,
-    SolidFormulation, Wave,
+    Body, BodyKind, Bubble, Fluid, FluidFormulation, Output, Probe, Run, Side, Sides, Simulation,
+    Solid, SolidFormulation, Wave,
 };

@@ -34,7 +34,10 @@ impl Node {
     /// The node as a table.
     pub(crate) fn fields(&self) -> Option<Fields<'_>> {
         match &self.data {
-            Data::Table(entries) => Some(Fields { span: self.span, entries }),
+            Data::Table(entries) => Some(Fields {
+                span: self.span,
+                entries,
+            }),
             _ => None,
         }
     }

@@ -65,7 +65,11 @@ pub(crate) fn parse(source: usize, findings: &mut Findings) -> RawTable {
     let (table, errors) = DeTable::parse_recoverable(&text);
     for e in &errors {
         let at = e.span().unwrap_or(text.len()..text.len());
-        let span = Span { source, start: at.start, end: at.end };
+        let span = Span {
+            source,
+            start: at.start,
+            end: at.end,
+        };
         let message = format!("this is not valid TOML: {}", e.message());
         let help = "a line is `key = value` or `[table]`; texts and quantities stand in quotes: radius = \"0.15 mm\"";
         findings.error(span, message, "", help);
@@ -77,10 +81,15 @@ fn convert_table(source: usize, table: &DeTable<'_>) -> RawTable {
     let entries = table.iter().map(|(key, value)| Entry {
         key: key.get_ref().to_string(),
         key_span: span(source, key.span()),
-        value: Raw { span: span(source, value.span()), value: convert(source, value.get_ref()) },
+        value: Raw {
+            span: span(source, value.span()),
+            value: convert(source, value.get_ref()),
+        },
         newest: source,
     });
-    RawTable { entries: entries.collect() }
+    RawTable {
+        entries: entries.collect(),
+    }
 }
 
 fn convert(source: usize, value: &DeValue<'_>) -> RawValue {
@@ -91,14 +100,21 @@ fn convert(source: usize, value: &DeValue<'_>) -> RawValue {
             let exact = i64::from_str_radix(i.as_str(), i.radix()).ok();
             #[allow(clippy::cast_precision_loss)]
             let value = exact.map(|v| v as f64);
-            RawValue::Integer(value.or_else(|| i.as_str().parse().ok()).unwrap_or(f64::INFINITY))
+            RawValue::Integer(
+                value
+                    .or_else(|| i.as_str().parse().ok())
+                    .unwrap_or(f64::INFINITY),
+            )
         }
         DeValue::Float(f) => RawValue::Float(f.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(b) => RawValue::Switch(*b),
         DeValue::Datetime(_) => RawValue::Date,
         DeValue::Array(a) => RawValue::List(
             a.iter()
-                .map(|v| Raw { span: span(source, v.span()), value: convert(source, v.get_ref()) })
+                .map(|v| Raw {
+                    span: span(source, v.span()),
+                    value: convert(source, v.get_ref()),
+                })
                 .collect(),
         ),
         DeValue::Table(t) => RawValue::Table(convert_table(source, t)),
@@ -106,5 +122,9 @@ fn convert(source: usize, value: &DeValue<'_>) -> RawValue {
 }
 
 fn span(source: usize, range: std::ops::Range<usize>) -> Span {
-    Span { source, start: range.start, end: range.end }
+    Span {
+        source,
+        start: range.start,
+        end: range.end,
+    }
 }

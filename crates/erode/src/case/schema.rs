@@ -101,20 +101,44 @@ impl Table {
 
 /// A required key.
 pub(crate) const fn required(name: &'static str, kind: Kind, about: &'static str) -> Key {
-    Key { name, kind, need: Need::Required, about }
+    Key {
+        name,
+        kind,
+        need: Need::Required,
+        about,
+    }
 }
 
 /// An optional key.
 pub(crate) const fn optional(name: &'static str, kind: Kind, about: &'static str) -> Key {
-    Key { name, kind, need: Need::Optional, about }
+    Key {
+        name,
+        kind,
+        need: Need::Optional,
+        about,
+    }
 }
 
 /// A key with a default, written as in a case file.
-pub(crate) const fn default(name: &'static str, kind: Kind, value: &'static str, about: &'static str) -> Key {
-    Key { name, kind, need: Need::Default(value), about }
+pub(crate) const fn default(
+    name: &'static str,
+    kind: Kind,
+    value: &'static str,
+    about: &'static str,
+) -> Key {
+    Key {
+        name,
+        kind,
+        need: Need::Default(value),
+        about,
+    }
 }
 
 /// A table with independent keys.
 pub(crate) const fn table(about: &'static str, keys: &'static [Key]) -> Table {
-    Table { about, keys, one_of: &[] }
+    Table {
+        about,
+        keys,
+        one_of: &[],
+    }
 }

@@ -1,7 +1,10 @@
 //! "Did you mean": the closest of the allowed words.
 
 /// The candidate that is closest to `word`, if it is close enough to be meant.
-pub(crate) fn closest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn closest<'a>(
+    word: &str,
+    candidates: impl Iterator<Item = &'a str>,
+) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
@@ -15,9 +18,17 @@ pub(crate) fn closest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>)
 }
 
 /// "did you mean `x`? Allowed: a, b, c", or the list alone.
-pub(crate) fn did_you_mean<'a>(word: &str, allowed: impl Iterator<Item = &'a str> + Clone, what: &str) -> String {
+pub(crate) fn did_you_mean<'a>(
+    word: &str,
+    allowed: impl Iterator<Item = &'a str> + Clone,
+    what: &str,
+) -> String {
     let list = allowed.clone().collect::<Vec<_>>().join(", ");
-    let list = if list.is_empty() { "none".to_owned() } else { list };
+    let list = if list.is_empty() {
+        "none".to_owned()
+    } else {
+        list
+    };
     match closest(word, allowed) {
         Some(c) => format!("did you mean `{c}`? {what}: {list}"),
         None => format!("{what}: {list}"),

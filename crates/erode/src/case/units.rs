@@ -29,7 +29,12 @@ const NAMED: &[(Dimension, &str, &str, &str)] = &[
     (PRESSURE, "a pressure", "Pa", "\"50 MPa\""),
     (DENSITY, "a density", "kg/m^3", "\"7800 kg/m^3\""),
     (RATE, "a rate", "1/s", "\"0.05 1/s\""),
-    (HEAT_CAPACITY, "a specific heat capacity", "J/(kg K)", "\"500 J/kg/K\""),
+    (
+        HEAT_CAPACITY,
+        "a specific heat capacity",
+        "J/(kg K)",
+        "\"500 J/kg/K\"",
+    ),
     (Dimension([2, 0, 0, 0]), "an area", "m^2", "\"1 mm^2\""),
     (Dimension([3, 0, 0, 0]), "a volume", "m^3", "\"1 mm^3\""),
     (Dimension([0, 1, 0, 0]), "a mass", "kg", "\"1 g\""),
@@ -45,7 +50,8 @@ impl Dimension {
 
     /// "a pressure", or the exponents when the dimension has no name.
     pub(crate) fn name(self) -> String {
-        self.named().map_or_else(|| format!("a quantity in {self}"), |n| n.1.to_owned())
+        self.named()
+            .map_or_else(|| format!("a quantity in {self}"), |n| n.1.to_owned())
     }
 
     /// An example as it is written in a case file.
@@ -71,7 +77,13 @@ impl fmt::Display for Dimension {
             .iter()
             .zip(self.0)
             .filter(|(_, e)| *e != 0)
-            .map(|(u, e)| if e == 1 { (*u).to_owned() } else { format!("{u}^{e}") })
+            .map(|(u, e)| {
+                if e == 1 {
+                    (*u).to_owned()
+                } else {
+                    format!("{u}^{e}")
+                }
+            })
             .collect();
         f.write_str(&parts.join(" "))
     }
@@ -94,13 +106,23 @@ const UNITS: &[(&str, Dimension, i32, bool)] = &[
     ("1", NUMBER, 0, false),
 ];
 
-const PREFIXES: &[(&str, i32)] =
-    &[("p", -12), ("n", -9), ("u", -6), ("µ", -6), ("μ", -6), ("m", -3), ("c", -2), ("k", 3), ("M", 6), ("G", 9)];
+const PREFIXES: &[(&str, i32)] = &[
+    ("p", -12),
+    ("n", -9),
+    ("u", -6),
+    ("µ", -6),
+    ("μ", -6),
+    ("m", -3),
+    ("c", -2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+];
 
 /// Symbols offered when a unit is unknown.
 const COMMON: &[&str] = &[
-    "m", "cm", "mm", "um", "nm", "s", "ms", "us", "ns", "Pa", "kPa", "MPa", "GPa", "bar", "m/s", "km/s", "kg/m^3",
-    "g/cm^3", "1/s", "K", "J/kg/K", "Hz", "kHz", "MHz", "N", "J", "W", "%",
+    "m", "cm", "mm", "um", "nm", "s", "ms", "us", "ns", "Pa", "kPa", "MPa", "GPa", "bar", "m/s",
+    "km/s", "kg/m^3", "g/cm^3", "1/s", "K", "J/kg/K", "Hz", "kHz", "MHz", "N", "J", "W", "%",
 ];
 
 /// Why a text is no quantity.
@@ -132,14 +154,25 @@ pub(crate) fn parse(text: &str) -> Result<Quantity, QuantityError> {
     let split = number_length(text);
     let (number, unit) = (text[..split].replace('_', ""), text[split..].trim());
     if !number.contains(|c: char| c.is_ascii_digit()) {
-        let hint = if text.is_empty() { "the text is empty" } else { "it does not begin with a number" };
-        return Err(QuantityError::NotANumber(format!("{hint}; write a number and a unit, such as \"0.15 mm\"")));
+        let hint = if text.is_empty() {
+            "the text is empty"
+        } else {
+            "it does not begin with a number"
+        };
+        return Err(QuantityError::NotANumber(format!(
+            "{hint}; write a number and a unit, such as \"0.15 mm\""
+        )));
     }
     if unit.starts_with(',') {
-        return Err(QuantityError::NotANumber("a decimal comma is not understood; write a point".to_owned()));
+        return Err(QuantityError::NotANumber(
+            "a decimal comma is not understood; write a point".to_owned(),
+        ));
     }
-    let (dimension, power) =
-        if unit.is_empty() { (None, 0) } else { parse_unit(unit).map(|(d, p)| (Some(d), p))? };
+    let (dimension, power) = if unit.is_empty() {
+        (None, 0)
+    } else {
+        parse_unit(unit).map(|(d, p)| (Some(d), p))?
+    };
     let value = decimal(&number, power)
         .ok_or_else(|| QuantityError::NotANumber(format!("`{number}` is not a number")))?;
     Ok(Quantity { value, dimension })
@@ -149,7 +182,8 @@ pub(crate) fn parse(text: &str) -> Result<Quantity, QuantityError> {
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |mut i: usize| {
-        while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'_' || bytes[i] == b'.') {
+        while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'_' || bytes[i] == b'.')
+        {
             i += 1;
         }
         i
@@ -171,7 +205,9 @@ fn decimal(number: &str, power: i32) -> Option<f64> {
         Some((m, e)) => (m, e.parse::<i32>().ok()?),
         None => (number, 0),
     };
-    format!("{mantissa}e{}", exponent.checked_add(power)?).parse().ok()
+    format!("{mantissa}e{}", exponent.checked_add(power)?)
+        .parse()
+        .ok()
 }
 
 /// Reads products and quotients of powers: `kg/m^3`, `J/(kg K)`, `m s^-2`, `1/s`.
@@ -179,7 +215,8 @@ fn parse_unit(text: &str) -> Result<(Dimension, i32), QuantityError> {
     let (mut dimension, mut power) = (NUMBER, 0_i32);
     let (mut sign, mut in_group) = (1_i8, false);
     let mut rest = text;
-    let malformed = || QuantityError::UnknownUnit(format!("`{text}` is not a unit; write it like `kg/m^3`"));
+    let malformed =
+        || QuantityError::UnknownUnit(format!("`{text}` is not a unit; write it like `kg/m^3`"));
     while let Some(c) = rest.chars().next() {
         match c {
             ' ' | '*' | '·' => rest = &rest[c.len_utf8()..],
@@ -208,12 +245,18 @@ fn parse_unit(text: &str) -> Result<(Dimension, i32), QuantityError> {
             }
         }
     }
-    if in_group { Err(malformed()) } else { Ok((dimension, power)) }
+    if in_group {
+        Err(malformed())
+    } else {
+        Ok((dimension, power))
+    }
 }
 
 /// One `symbol^exponent`: symbol, exponent, what follows.
 fn factor(text: &str) -> Option<(&str, i8, &str)> {
-    let end = text.find([' ', '*', '·', '/', '(', ')', '^']).unwrap_or(text.len());
+    let end = text
+        .find([' ', '*', '·', '/', '(', ')', '^'])
+        .unwrap_or(text.len());
     let (symbol, rest) = text.split_at(end);
     if symbol.is_empty() {
         return None;
@@ -234,13 +277,18 @@ fn find_unit(symbol: &str) -> Option<(Dimension, i32)> {
     }
     PREFIXES.iter().find_map(|(prefix, p)| {
         let rest = symbol.strip_prefix(prefix)?;
-        UNITS.iter().find(|u| u.3 && u.0 == rest).map(|u| (u.1, u.2 + p))
+        UNITS
+            .iter()
+            .find(|u| u.3 && u.0 == rest)
+            .map(|u| (u.1, u.2 + p))
     })
 }
 
 fn unknown_unit(symbol: &str) -> QuantityError {
-    let hint = super::suggest::closest(symbol, COMMON.iter().copied())
-        .map_or_else(|| format!("units are {}", COMMON.join(", ")), |s| format!("did you mean `{s}`?"));
+    let hint = super::suggest::closest(symbol, COMMON.iter().copied()).map_or_else(
+        || format!("units are {}", COMMON.join(", ")),
+        |s| format!("did you mean `{s}`?"),
+    );
     QuantityError::UnknownUnit(format!("`{symbol}` is not a known unit; {hint}"))
 }
 
