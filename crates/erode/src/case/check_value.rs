@@ -22,7 +22,11 @@ pub(crate) fn check_scalar(raw: &Raw, key: &'static Key, findings: &mut Findings
         }
         (Kind::Property(d, range), RawValue::Table(t)) => property(t, raw, d, range, key, findings),
         (Kind::Property(d, range), _) => {
-            quantity(raw, d, range, key, findings).map_or(Data::Bad, |x| Data::Property(x, None))
+            quantity(raw, d, range, key, findings).map_or(Data::Bad, |x| Data::Property {
+                value: x,
+                dimension: d,
+                source: None,
+            })
         }
         (kind, other) => {
             let wanted = match kind {
@@ -144,7 +148,11 @@ fn property(
             None
         }
     };
-    quantity(&value.value, d, range, key, findings).map_or(Data::Bad, |x| Data::Property(x, source))
+    quantity(&value.value, d, range, key, findings).map_or(Data::Bad, |x| Data::Property {
+        value: x,
+        dimension: d,
+        source,
+    })
 }
 
 /// A number in SI, or the error that keeps it from being one.

@@ -4,6 +4,7 @@
 //! (`keys`, `keys_body`, `keys_material`) -> `build` (setups expand, bodies, relations between them) -> [`Simulation`].
 //! Each stage records all its errors and goes on with what is right.
 
+mod advice;
 mod body;
 mod build;
 pub(crate) mod check;
@@ -30,6 +31,7 @@ mod suggest;
 mod tests;
 mod units;
 
+pub use advice::check_advice;
 pub use error::{CaseError, CaseErrors};
 pub use json_schema::json_schema;
 pub use load::{Case, Loaded};

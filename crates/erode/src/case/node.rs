@@ -1,6 +1,6 @@
 //! A case after the check against its keys: SI numbers with their places, defaults filled in.
 
-use super::error::Span;
+use super::{error::Span, units::Dimension};
 
 /// A checked value.
 #[derive(Debug, Clone)]
@@ -13,7 +13,11 @@ pub(crate) struct Node {
 #[derive(Debug, Clone)]
 pub(crate) enum Data {
     Number(f64),
-    Property(f64, Option<String>),
+    Property {
+        value: f64,
+        dimension: Dimension,
+        source: Option<String>,
+    },
     Text(String),
     Switch(bool),
     Pair([f64; 2]),
@@ -55,7 +59,7 @@ impl<'a> Fields<'a> {
 
     pub(crate) fn number(&self, key: &str) -> Option<f64> {
         match self.node(key)?.data {
-            Data::Number(x) | Data::Property(x, _) => Some(x),
+            Data::Number(x) | Data::Property { value: x, .. } => Some(x),
             _ => None,
         }
     }
