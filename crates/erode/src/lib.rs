@@ -1,3 +1,5 @@
 //! The front of Erode: case files, runs, reports.
 
+pub mod case;
+pub mod materials;
 pub mod output;
