@@ -1,1 +1,3 @@
 //! The front of Erode: case files, runs, reports.
+
+pub mod output;

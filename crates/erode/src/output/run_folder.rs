@@ -1,0 +1,364 @@
+//! The folder of a run: where everything lies, how it is made and how it is opened again.
+
+use super::atomic::{clean_temporaries, list, write_atomic};
+use super::error::OutputError;
+use super::lock::{self, RunLock};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const FOLDERS: [&str; 5] = ["fields", "probes", "surface", "checkpoints", "report"];
+
+/// The places in a run folder. Only names: nothing is created or checked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RunPaths {
+    root: PathBuf,
+}
+
+impl RunPaths {
+    /// The places under `root`.
+    pub fn new(root: impl Into<PathBuf>) -> Self {
+        Self { root: root.into() }
+    }
+
+    /// The places of a run that exists, for commands that only read.
+    ///
+    /// # Errors
+    /// [`OutputError::NotAFolder`], [`OutputError::NotARun`].
+    pub fn existing(root: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        let paths = Self::new(root);
+        let path = paths.root.clone();
+        if path.is_file() {
+            Err(OutputError::NotAFolder { path })
+        } else if !path.is_dir() {
+            Err(OutputError::NotARun {
+                path,
+                missing: "the folder itself".into(),
+            })
+        } else if !paths.case().is_file() {
+            Err(OutputError::NotARun {
+                path,
+                missing: "case.toml".into(),
+            })
+        } else {
+            Ok(paths)
+        }
+    }
+
+    /// The folder itself.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The case as the user gave it.
+    pub fn case(&self) -> PathBuf {
+        self.root.join("case.toml")
+    }
+
+    /// The case with every default written out.
+    pub fn resolved(&self) -> PathBuf {
+        self.root.join("resolved.toml")
+    }
+
+    /// One row per monitor step.
+    pub fn history(&self) -> PathBuf {
+        self.root.join("history.csv")
+    }
+
+    /// The table of a probe.
+    pub fn probe(&self, name: &str) -> PathBuf {
+        self.root.join("probes").join(format!("{name}.csv"))
+    }
+
+    /// A table along a surface.
+    pub fn surface(&self, name: &str) -> PathBuf {
+        self.root.join("surface").join(format!("{name}.csv"))
+    }
+
+    /// The snapshots of all bodies, as a collection.
+    pub fn collection(&self) -> PathBuf {
+        self.root.join("fields.pvd")
+    }
+
+    /// Snapshot number `index` of `body`.
+    pub fn snapshot(&self, body: &str, index: u64) -> PathBuf {
+        self.root
+            .join("fields")
+            .join(format!("{body}_{index:06}.vtu"))
+    }
+
+    /// The folder of the checkpoints.
+    pub fn checkpoints(&self) -> PathBuf {
+        self.root.join("checkpoints")
+    }
+
+    /// The folder of the report.
+    pub fn report(&self) -> PathBuf {
+        self.root.join("report")
+    }
+
+    /// The final numbers.
+    pub fn summary(&self) -> PathBuf {
+        self.root.join("summary.json")
+    }
+
+    /// Where the run stands.
+    pub fn status(&self) -> PathBuf {
+        self.root.join("status.json")
+    }
+
+    /// The particles around the place where a run failed.
+    pub fn failure(&self) -> PathBuf {
+        self.root.join("failure.vtu")
+    }
+
+    /// Number of the process that writes to this folder now; `None` if there is none.
+    pub fn holder(&self) -> Option<u32> {
+        lock::holder(&self.root)
+    }
+
+    /// What a user would miss if it were overwritten: everything but the lock and empty folders of ours.
+    fn contents(&self) -> Result<Vec<String>, OutputError> {
+        let mut found = Vec::new();
+        for path in list(&self.root)? {
+            let name = path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            let ours_and_empty =
+                FOLDERS.contains(&name.as_str()) && path.is_dir() && list(&path)?.is_empty();
+            if !ours_and_empty && !lock::is_lock(&path) {
+                found.push(name);
+            }
+        }
+        Ok(found)
+    }
+
+    fn require_empty(&self) -> Result<(), OutputError> {
+        let path = self.root.clone();
+        if path.is_file() {
+            return Err(OutputError::NotAFolder { path });
+        }
+        if !path.is_dir() {
+            return Ok(());
+        }
+        let contents = self.contents()?;
+        if contents.is_empty() {
+            return Ok(());
+        }
+        let is_run = self.case().is_file();
+        Err(OutputError::Occupied {
+            path,
+            found: in_words(&contents, is_run),
+            is_run,
+        })
+    }
+}
+
+/// A run folder that this process may write to; no other process can while this value lives.
+#[derive(Debug)]
+pub struct RunFolder {
+    paths: RunPaths,
+    lock: RunLock,
+}
+
+impl RunFolder {
+    /// Makes the folder of a new run with its subfolders. An existing folder must be empty.
+    ///
+    /// # Errors
+    /// [`OutputError::Occupied`] (nothing is touched), [`OutputError::NotAFolder`], [`OutputError::NotWritable`],
+    /// [`OutputError::Locked`].
+    pub fn create(root: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        let paths = RunPaths::new(root);
+        let unwritable = |cause| OutputError::NotWritable {
+            path: paths.root.clone(),
+            cause,
+        };
+        paths.require_empty()?;
+        fs::create_dir_all(&paths.root).map_err(unwritable)?;
+        let lock = RunLock::acquire(&paths.root)?;
+        // Another process may have had the folder, filled it and left between the first look and the lock.
+        paths.require_empty()?;
+        for name in FOLDERS {
+            fs::create_dir_all(paths.root.join(name)).map_err(unwritable)?;
+        }
+        Ok(Self { paths, lock })
+    }
+
+    /// Opens the folder of an earlier run to continue it; removes half-written files of a killed process.
+    ///
+    /// # Errors
+    /// [`OutputError::NotARun`], [`OutputError::NotAFolder`], [`OutputError::Locked`], [`OutputError::NotWritable`].
+    pub fn open(root: impl Into<PathBuf>) -> Result<Self, OutputError> {
+        let paths = RunPaths::existing(root)?;
+        let lock = RunLock::acquire(&paths.root)?;
+        clean_temporaries(&paths.root)?;
+        for name in FOLDERS {
+            let folder = paths.root.join(name);
+            fs::create_dir_all(&folder).map_err(|cause| OutputError::NotWritable {
+                path: paths.root.clone(),
+                cause,
+            })?;
+            clean_temporaries(&folder)?;
+        }
+        Ok(Self { paths, lock })
+    }
+
+    /// Where everything lies.
+    pub fn paths(&self) -> &RunPaths {
+        &self.paths
+    }
+
+    /// Number of the process that had this folder before and was killed, if there was one.
+    pub fn killed_process(&self) -> Option<u32> {
+        self.lock.stale
+    }
+
+    /// Writes the case as given (`case.toml`, byte for byte) and with every default (`resolved.toml`).
+    ///
+    /// # Errors
+    /// [`OutputError::Write`].
+    pub fn write_case(&self, given: &[u8], resolved: &str) -> Result<(), OutputError> {
+        // `case.toml` makes the folder a run, so it comes last.
+        write_atomic(&self.paths.resolved(), |file| {
+            file.write_all(resolved.as_bytes())
+        })?;
+        write_atomic(&self.paths.case(), |file| file.write_all(given))
+    }
+}
+
+fn in_words(contents: &[String], is_run: bool) -> String {
+    const SHOWN: usize = 4;
+    let mut text = String::from(if is_run { "a run (" } else { "other files (" });
+    text.push_str(&contents[..contents.len().min(SHOWN)].join(", "));
+    if contents.len() > SHOWN {
+        text.push_str(&format!(" and {} more", contents.len() - SHOWN));
+    }
+    text.push(')');
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tree(root: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+        let mut files = Vec::new();
+        for path in list(root).unwrap() {
+            if path.is_dir() {
+                files.push((path.clone(), Vec::new()));
+                files.extend(tree(&path));
+            } else {
+                let bytes = fs::read(&path).unwrap();
+                files.push((path, bytes));
+            }
+        }
+        files
+    }
+
+    #[test]
+    fn a_new_folder_has_its_places_and_can_be_opened_again() {
+        let base = tempfile::tempdir().unwrap();
+        let root = base.path().join("a/b");
+        let run = RunFolder::create(&root).unwrap();
+        run.write_case(b"# as \xff given\r\n", "resolved = 1\n")
+            .unwrap();
+        fs::write(
+            run.paths().snapshot("liquid", 7).with_extension("vtu.tmp"),
+            "half",
+        )
+        .unwrap();
+        assert!(matches!(
+            RunFolder::open(&root),
+            Err(OutputError::Locked { .. })
+        ));
+        drop(run);
+        let run = RunFolder::open(&root).unwrap();
+        assert_eq!(run.killed_process(), None);
+        assert_eq!(
+            fs::read(run.paths().case()).unwrap(),
+            b"# as \xff given\r\n"
+        );
+        assert_eq!(
+            run.paths().snapshot("liquid", 7),
+            root.join("fields/liquid_000007.vtu")
+        );
+        assert_eq!(
+            list(&root.join("fields")).unwrap().len(),
+            0,
+            "the half-written file is gone"
+        );
+    }
+
+    #[test]
+    fn an_existing_run_is_refused_by_name_and_untouched() {
+        let base = tempfile::tempdir().unwrap();
+        let run = RunFolder::create(base.path()).unwrap();
+        run.write_case(b"given", "resolved").unwrap();
+        drop(run);
+        let before = tree(base.path());
+        let error = RunFolder::create(base.path()).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .contains("a run (case.toml, resolved.toml)"),
+            "{error}"
+        );
+        assert!(error.hint().contains("`erode resume ") && error.hint().contains("`-o DIR`"));
+        assert_eq!(tree(base.path()), before);
+    }
+
+    #[test]
+    fn a_folder_with_other_files_is_refused_without_offering_to_resume() {
+        let base = tempfile::tempdir().unwrap();
+        fs::write(base.path().join("thesis.tex"), "x").unwrap();
+        let error = RunFolder::create(base.path()).unwrap_err();
+        assert!(
+            error.to_string().contains("other files (thesis.tex)"),
+            "{error}"
+        );
+        assert!(!error.hint().contains("resume"));
+        assert_eq!(tree(base.path()).len(), 1);
+        assert!(matches!(
+            RunFolder::open(base.path()),
+            Err(OutputError::NotARun { .. })
+        ));
+    }
+
+    #[test]
+    fn a_file_or_a_path_through_a_file_is_refused() {
+        let base = tempfile::tempdir().unwrap();
+        let file = base.path().join("file");
+        fs::write(&file, "x").unwrap();
+        assert!(matches!(
+            RunFolder::create(&file),
+            Err(OutputError::NotAFolder { .. })
+        ));
+        assert!(matches!(
+            RunFolder::open(&file),
+            Err(OutputError::NotAFolder { .. })
+        ));
+        let error = RunFolder::create(file.join("run")).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .ends_with("a part of the path is a file, not a folder"),
+            "{error}"
+        );
+    }
+
+    /// Not even the superuser can make folders there.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn an_unwritable_place_is_refused() {
+        let error = RunFolder::create("/proc/self/erode").unwrap_err();
+        assert!(matches!(error, OutputError::NotWritable { .. }), "{error}");
+    }
+
+    #[test]
+    fn a_folder_left_by_a_process_killed_before_its_first_file_can_be_used() {
+        let base = tempfile::tempdir().unwrap();
+        drop(RunFolder::create(base.path()).unwrap());
+        RunFolder::create(base.path()).unwrap();
+    }
+}
