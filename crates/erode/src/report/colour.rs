@@ -56,7 +56,7 @@ impl ColourMap {
 /// How values of a field become colours.
 #[derive(Debug, Clone)]
 pub struct Colouring {
-    /// The quantity in words.
+    /// The quantity in words; without it no colour bar is drawn in a picture.
     pub label: String,
     /// Its SI unit.
     pub unit: String,

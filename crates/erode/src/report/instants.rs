@@ -3,6 +3,9 @@
 use super::map::nearest;
 use super::run_data::RunData;
 
+/// Part of the volume at which the wave counts as arrived.
+pub(crate) const ARRIVED: f64 = 0.999;
+
 /// Instants of a run, s; `None` where the run does not have them.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Instants {
@@ -33,7 +36,7 @@ impl Instants {
             .min_by(|a, b| a[1].total_cmp(&b[1]));
         let collapsed = smallest.filter(|p| p[1] < 0.2 * start).map(|p| p[0]);
         Self {
-            arrival: falls_to(0.999),
+            arrival: falls_to(ARRIVED),
             quarter: falls_to(0.25),
             collapse: data.number("collapse_time").or(collapsed),
             impact: largest_wall_pressure(data),
@@ -43,10 +46,10 @@ impl Instants {
     /// The instants that exist, in words.
     pub(crate) fn named(&self) -> Vec<(f64, &'static str)> {
         let all = [
-            (self.arrival, "wave at the bubble"),
-            (self.quarter, "a quarter of the volume left"),
+            (self.arrival, "wave arrives"),
+            (self.quarter, "quarter volume"),
             (self.collapse, "collapse"),
-            (self.impact, "largest wall pressure"),
+            (self.impact, "peak at the wall"),
         ];
         all.into_iter()
             .filter_map(|(time, name)| Some((time?, name)))

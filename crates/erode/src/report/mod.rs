@@ -22,6 +22,9 @@ mod view;
 
 use std::path::{Path, PathBuf};
 
+use crate::output::OutputError;
+use crate::output::atomic::write_atomic;
+
 pub use colour::{ColourMap, Colouring};
 pub use raster::{REACH, View};
 pub use rayleigh::{collapse_curve, collapse_time};
@@ -45,16 +48,9 @@ pub enum ReportError {
         /// What was given.
         path: PathBuf,
     },
-    /// The disk refused.
-    #[error(
-        "{path} cannot be written ({cause}); check the permissions of the folder and the free space"
-    )]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        cause: std::io::Error,
-    },
+    /// The page or a figure cannot be written.
+    #[error("{cause}; {hint}", cause = .0, hint = .0.hint())]
+    Write(#[from] OutputError),
 }
 
 /// Makes `report/index.html` from the run folder `run_dir` and returns its path. A run that goes on or was stopped gets
@@ -69,19 +65,13 @@ pub fn build(run_dir: &Path) -> Result<PathBuf, ReportError> {
     Ok(path)
 }
 
-/// Writes a file whole: the bytes go beside it and are renamed, so a reader never meets half a file.
+/// Writes a file, whole or not at all, and the folder for it.
 fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ReportError> {
-    let failed = |cause| ReportError::Write {
-        path: path.to_path_buf(),
-        cause,
-    };
-    let folder = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder).map_err(failed)?;
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(failed)?;
-    std::io::Write::write_all(&mut file, bytes).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|cause| OutputError::NotWritable {
+            path: folder.to_path_buf(),
+            cause,
+        })?;
+    }
+    Ok(write_atomic(path, |file| file.write_all(bytes))?)
 }

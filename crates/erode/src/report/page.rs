@@ -16,10 +16,14 @@ pub(crate) fn compose(data: &RunData) -> String {
         |right| asked::write(right, data),
     );
     results::write_comparison(&mut page, data);
-    let pictured = fields::write(&mut page, data, &instants);
+    let end = data
+        .frames
+        .last()
+        .map_or_else(Vec::new, |frame| frame.read().0);
+    fields::write(&mut page, data, &instants, &end);
     bubble::write(&mut page, data, &instants);
     wall::write(&mut page, data, &instants);
-    strain::write(&mut page, data, pictured.solid.as_ref());
+    strain::write(&mut page, data, &instants, &end);
     energy::write(&mut page, data);
     stepping::write(&mut page, data, &instants);
     probes::write(&mut page, data);

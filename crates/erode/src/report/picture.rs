@@ -1,11 +1,13 @@
 //! Pictures of particle fields: bodies coloured by a field each, mirrored about the axis, with colour bars.
 
+use std::borrow::Cow;
+
 use super::colour::{Bar, Colouring, draw_bar};
 use super::frame::{Axis, Frame, Span};
 use super::raster::{Raster, View};
 use super::svg::{Anchor, LABEL_SIZE, Svg};
 
-/// One body in a picture; the slices have one entry per particle.
+/// One body in a picture; the arrays have one entry per particle.
 #[derive(Debug, Clone)]
 pub struct Layer<'a> {
     /// (r, z), m.
@@ -13,7 +15,7 @@ pub struct Layer<'a> {
     /// Spacing (square root of the area in the plane), m.
     pub size: &'a [f64],
     /// The field shown, SI.
-    pub value: &'a [f64],
+    pub value: Cow<'a, [f64]>,
     /// How it is coloured.
     pub colouring: Colouring,
 }
@@ -25,7 +27,7 @@ impl Layer<'_> {
         let [low, high] = self.colouring.range;
         // Differences too small to be seen count as inside.
         let slack = 1e-6 * (high - low);
-        for (position, value) in self.position.iter().zip(self.value) {
+        for (position, value) in self.position.iter().zip(self.value.iter()) {
             if view.contains([position[0].abs(), position[1]]) {
                 beyond[0] |= *value < low - slack;
                 beyond[1] |= *value > high + slack;
@@ -93,7 +95,11 @@ impl Picture<'_> {
     fn raster(&self, width: usize) -> Raster {
         let mut raster = Raster::new(self.view, width.max(1));
         for layer in &self.layers {
-            for ((position, size), value) in layer.position.iter().zip(layer.size).zip(layer.value)
+            for ((position, size), value) in layer
+                .position
+                .iter()
+                .zip(layer.size)
+                .zip(layer.value.iter())
             {
                 let colour = layer.colouring.colour(*value);
                 raster.splat(*position, *size, colour);
@@ -105,11 +111,16 @@ impl Picture<'_> {
         raster
     }
 
-    /// One bar per body, one above the other in the order of the layers.
+    /// One bar per body with a labelled colouring, one above the other in the order of the layers.
     fn draw_bars(&self, svg: &mut Svg, left: f64, height: f64) {
-        let count = self.layers.len().max(1) as f64;
+        let labelled: Vec<&Layer> = self
+            .layers
+            .iter()
+            .filter(|l| !l.colouring.label.is_empty())
+            .collect();
+        let count = labelled.len().max(1) as f64;
         let each = (height - 26.0 * (count - 1.0)) / count;
-        for (index, layer) in self.layers.iter().enumerate() {
+        for (index, layer) in labelled.into_iter().enumerate() {
             let top = TOP + index as f64 * (each + 26.0);
             // Arrows at the ends stay inside the height of the picture.
             let bar = Bar {

@@ -91,6 +91,20 @@ impl Body {
         self.snapshot.values(name)
     }
 
+    /// One component of a vector field.
+    pub(crate) fn component(&self, name: &str, index: usize) -> Option<Vec<f64>> {
+        self.snapshot
+            .field(name)
+            .filter(|field| field.components == 3)?;
+        Some(
+            self.snapshot
+                .values(name)?
+                .chunks_exact(3)
+                .map(|v| v[index])
+                .collect(),
+        )
+    }
+
     /// Solids carry a plastic strain.
     pub(crate) fn is_solid(&self) -> bool {
         self.field("plastic_strain").is_some()

@@ -177,8 +177,8 @@ pub(crate) fn ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
     let step = [1.0, 2.0, 5.0, 10.0]
         .into_iter()
         .map(|m| m * base)
-        .find(|step| *step >= raw * 0.999)
-        .unwrap_or(10.0 * base);
+        .min_by(|a, b| (a / raw).ln().abs().total_cmp(&(b / raw).ln().abs()))
+        .unwrap_or(base);
     let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
@@ -199,6 +199,15 @@ pub(crate) fn decades(low: f64, high: f64) -> Vec<(f64, String)> {
         .step_by(every)
         .map(|k| (10f64.powi(k), format!("10{}", superscript(k))))
         .collect()
+}
+
+/// A name of the files as words: `max_plastic_strain` as `Max plastic strain`.
+pub(crate) fn in_words(name: &str) -> String {
+    let words = name.replace('_', " ");
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 /// The true minus sign, which is as wide as the digits; "-0" becomes "0".
@@ -241,7 +250,7 @@ mod tests {
     #[test]
     fn ticks_are_round_and_inside() {
         let labels: Vec<String> = ticks(-0.31, 0.72, 5).into_iter().map(|t| t.1).collect();
-        assert_eq!(labels, ["0.0", "0.5"]);
+        assert_eq!(labels, ["−0.2", "0.0", "0.2", "0.4", "0.6"]);
         for (low, high) in [(0.0, 1.0), (-3.0, 17.0), (1e-9, 2e-9), (0.0, 49.0)] {
             let found = ticks(low, high, 6);
             assert!((3..=13).contains(&found.len()), "{low}..{high}: {found:?}");

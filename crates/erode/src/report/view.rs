@@ -18,7 +18,29 @@ pub(crate) fn fine_view(bodies: &[Body]) -> Option<View> {
         .iter()
         .flat_map(|b| b.position.iter().zip(&b.size))
         .filter(|(_, s)| **s <= FINE * finest);
-    bounding(fine.map(|(p, _)| *p), 0.5 * finest)
+    let view = bounding(fine.map(|(p, _)| *p), 0.5 * finest)?;
+    Some(without_depth(view, bodies))
+}
+
+/// The view with at most half as much solid below the surface as liquid above it: what happens deeper is seen in the
+/// picture of the plastic strain.
+fn without_depth(view: View, bodies: &[Body]) -> View {
+    let tops = bodies
+        .iter()
+        .filter(|b| b.is_solid())
+        .flat_map(|b| &b.position)
+        .map(|p| p[1]);
+    let surface = tops.fold(f64::NEG_INFINITY, f64::max);
+    if !(view.z[0] < surface && surface < view.z[1]) {
+        return view;
+    }
+    View {
+        z: [
+            view.z[0].max(surface - 0.5 * (view.z[1] - surface)),
+            view.z[1],
+        ],
+        ..view
+    }
 }
 
 /// The region of the solids where the plastic strain is above a twentieth of its largest value, widened by a half.

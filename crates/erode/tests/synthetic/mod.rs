@@ -6,22 +6,22 @@ use erode::report::{collapse_curve, collapse_time};
 use std::fs;
 use std::path::Path;
 
-pub const RADIUS: f64 = 1.5e-4;
-pub const CENTRE: f64 = 2.0e-4;
-pub const DRIVING: f64 = 5.0e7;
-pub const END: f64 = 1.2e-6;
+pub(crate) const RADIUS: f64 = 1.5e-4;
+pub(crate) const CENTRE: f64 = 2.0e-4;
+pub(crate) const DRIVING: f64 = 5.0e7;
+pub(crate) const END: f64 = 1.2e-6;
 /// When the wave meets the bubble.
 const ARRIVAL: f64 = 2.5e-7;
 const LARGEST_STRAIN: f64 = 0.0025;
 
 /// What a synthetic run has.
 #[derive(Clone, Copy)]
-pub struct Has {
-    pub bubble: bool,
-    pub solid: bool,
+pub(crate) struct Has {
+    pub(crate) bubble: bool,
+    pub(crate) solid: bool,
 }
 
-pub fn write_run(dir: &Path, has: Has) {
+pub(crate) fn write_run(dir: &Path, has: Has) {
     for folder in ["fields", "probes", "surface"] {
         fs::create_dir_all(dir.join(folder)).unwrap();
     }
@@ -61,8 +61,10 @@ const RESOLVED: &str = "title = \"x\"\n[bubble]\nradius = 1.5e-4\ndriving_pressu
 fn summary(has: Has) -> String {
     let mut value = serde_json::json!({
         "steps": 12345, "particles": 81234, "wall_time": 187.4, "energy_drift": -0.0031,
-        "units": {"steps": "-", "particles": "-", "wall_time": "s", "energy_drift": "-"},
+        "units": {"steps": "-", "particles": "-", "wall_time": "s", "energy_drift": "-", "ledger.energy_kinetic": "J",
+                  "ledger.mass_left": "kg"},
         "versions": {"erode": "0.1.0"},
+        "ledger": {"energy_kinetic": 2.0e-4, "mass_left": 0.0, "particles_left": 0},
         "limiters": {"liquid sound": 9000, "solid longitudinal": 3300, "artificial_viscosity": 45},
     });
     let mut set = |key: &str, unit: &str, number: f64| {
@@ -95,7 +97,7 @@ fn summary(has: Has) -> String {
 }
 
 /// Rayleigh's radius, then a rebound to nothing.
-pub fn radius(time: f64) -> f64 {
+pub(crate) fn radius(time: f64) -> f64 {
     let curve = collapse_curve(RADIUS, DRIVING, 1000.0, 200);
     let after = curve.partition_point(|p| p[0] < time - ARRIVAL);
     if after == 0 {
@@ -132,6 +134,9 @@ fn write_history(dir: &Path, has: Has) {
         ("energy_dissipation", "J"),
         ("energy_drift", "-"),
     ];
+    if has.solid {
+        heads.push(("max_plastic_strain", "-"));
+    }
     if has.bubble {
         heads.extend([("bubble_volume", "m3"), ("bubble_radius", "m")]);
     }
@@ -146,6 +151,9 @@ fn write_history(dir: &Path, has: Has) {
             4e-5 * s.powi(3),
         ];
         row.push(-0.003 * s.powi(2));
+        if has.solid {
+            row.push(LARGEST_STRAIN * grown(t));
+        }
         if has.bubble {
             let radius = radius(t);
             row.extend([4.0 / 3.0 * std::f64::consts::PI * radius.powi(3), radius]);
@@ -271,18 +279,29 @@ fn liquid(time: f64, has: Has) -> Snapshot {
     let points: Vec<[f64; 2]> = wet.iter().map(|k| points[*k]).collect();
     let sizes: Vec<f64> = wet.iter().map(|k| sizes[*k]).collect();
     let pressures = points.iter().map(|p| pressure(p[0], p[1], time)).collect();
+    let velocity = |p: &[f64; 2]| {
+        [
+            0.0,
+            -300.0 * (-(p[0] / 6e-5).powi(2) - ((p[1] - 3e-4) / 1e-4).powi(2)).exp(),
+        ]
+    };
+    let velocities: Vec<[f64; 2]> = points.iter().map(velocity).collect();
     Snapshot::new(time, &points)
         .with(area(&sizes))
         .with(Field::scalar("pressure", "Pa", Data::F64(pressures)))
-        .with(Field::vector("velocity", "m/s", &points))
+        .with(Field::vector("velocity", "m/s", &velocities))
+}
+
+/// How much of the final plastic strain there is.
+fn grown(time: f64) -> f64 {
+    ((time / END - 0.8) / 0.2).clamp(0.0, 1.0)
 }
 
 fn solid(time: f64) -> Snapshot {
     let (points, sizes) = lattice([-6e-4, 0.0]);
-    let grown = ((time / END - 0.8) / 0.2).clamp(0.0, 1.0);
     let strain = |p: &[f64; 2]| {
         let away = ((p[0] - 6e-5) / 4e-5).powi(2) + ((p[1] + 1.25e-5) / 3e-5).powi(2);
-        let strain = LARGEST_STRAIN * grown * (-away).exp();
+        let strain = LARGEST_STRAIN * grown(time) * (-away).exp();
         if strain > 1e-5 { strain } else { 0.0 }
     };
     let strains: Vec<f64> = points.iter().map(strain).collect();

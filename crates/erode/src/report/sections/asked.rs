@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::output::RunPaths;
 use crate::report::html::Page;
 use crate::report::run_data::RunData;
 use crate::report::units::quantity;
@@ -40,37 +41,46 @@ pub(crate) fn write_head(page: &mut Page, data: &RunData, title: &str) {
             .map(|t| format!("computed in {}", duration(t))),
     );
     page.title(title, &facts.join(" · "));
-    let state = data
-        .status
-        .get("state")
-        .and_then(Value::as_str)
-        .unwrap_or("");
-    let state = state.to_lowercase();
-    let message = data
-        .status
-        .get("message")
-        .and_then(Value::as_str)
-        .unwrap_or("");
-    if state.contains("fail") {
-        page.alert(&format!(
-            "This run failed. {message} The report shows what was written until then."
-        ));
-    } else if state.contains("interrupt") {
-        page.alert(&format!(
-            "This run was interrupted. {message} `erode resume` continues it."
-        ));
-    } else if data.summary.is_null() {
-        page.alert("This run has not ended: summary.json is missing. The report shows what was written so far.");
+    if let Some(warning) = incomplete(data) {
+        page.alert(&warning);
     }
     for trouble in &data.troubles {
         page.alert(trouble);
     }
 }
 
+/// Why the run is not a finished one, if it is not.
+fn incomplete(data: &RunData) -> Option<String> {
+    let text = |key: &str| data.status.get(key).and_then(Value::as_str).unwrap_or("");
+    let message = text("message");
+    let so_far = "The report shows what was written until then.";
+    match text("state") {
+        "failed" => Some(format!("This run failed. {message} {so_far}")),
+        "interrupted" => Some(format!(
+            "This run was interrupted. {message} `erode resume` continues it."
+        )),
+        "running" if RunPaths::new(&data.dir).holder().is_none() => Some(format!(
+            "This run was killed; `erode resume` continues it. {so_far}"
+        )),
+        "running" => {
+            Some("This run is still going on. The report shows what was written so far.".into())
+        }
+        _ if data.summary.is_null() => Some(format!(
+            "This run has not ended: summary.json is missing. {so_far}"
+        )),
+        _ => None,
+    }
+}
+
 /// The settings of the case file in a table.
 pub(crate) fn write(page: &mut Page, data: &RunData) {
     page.section("What was asked");
-    let Ok(table) = data.case.parse::<toml::Table>() else {
+    let Some(table) = data
+        .case
+        .parse::<toml::Table>()
+        .ok()
+        .filter(|_| !data.case.is_empty())
+    else {
         page.absent("case.toml is missing or cannot be read.");
         return;
     };

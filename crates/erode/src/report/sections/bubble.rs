@@ -1,7 +1,7 @@
 //! Volume and equivalent radius of the bubble against time, with Rayleigh's collapse.
 
 use crate::report::html::Page;
-use crate::report::instants::Instants;
+use crate::report::instants::{ARRIVED, Instants};
 use crate::report::lookup::{self, Found};
 use crate::report::plot::{Axis, Plot};
 use crate::report::rayleigh::{collapse_curve, collapse_time};
@@ -68,16 +68,22 @@ impl Theory {
             value: density,
             assumed,
         } = lookup::liquid_density(data);
-        let begin = instants.arrival.unwrap_or(0.0);
+        let curve = collapse_curve(start, pressure, density, 400);
+        // Volume is radius cubed.
+        let lost = curve
+            .iter()
+            .find(|p| p[1].powi(3) <= ARRIVED * start.powi(3))?[0];
+        let begin = instants.arrival.map_or(0.0, |arrival| arrival - lost);
         let end = radius.last()?[0];
-        let curve: Vec<[f64; 2]> = collapse_curve(start, pressure, density, 400)
+        let curve: Vec<[f64; 2]> = curve
             .into_iter()
             .map(|p| [p[0] + begin, p[1]])
             .take_while(|p| p[0] <= end)
             .collect();
         let words = format!(
             "Rayleigh: empty sphere in an unbounded incompressible liquid at {}, density {}{}; collapse in {}, \
-             begun when the bubble has lost 0.1 % of its volume. No wall, no wave, no jet: it shows the scale of time.",
+             placed so that both have lost 0.1 % of the volume at the same time. It knows no wall, wave or jet: it shows \
+             the scale of time.",
             quantity(pressure, "Pa"),
             quantity(density, "kg/m3"),
             if assumed { " (assumed)" } else { "" },

@@ -1,14 +1,39 @@
 //! The energy ledger against time and how well it closes.
 
+use serde_json::Value;
+
 use crate::output::Table;
 use crate::report::html::Page;
 use crate::report::plot::{Axis, Plot};
 use crate::report::run_data::{RunData, points};
-use crate::report::units::significant;
+use crate::report::units::{in_words, quantity, significant};
 
 /// Writes the section.
 pub(crate) fn write(page: &mut Page, data: &RunData) {
     page.section("Energy");
+    write_curves(page, data);
+    write_ledger(page, data);
+}
+
+/// The conservation ledger at the end: energies, masses and what left the computation.
+fn write_ledger(page: &mut Page, data: &RunData) {
+    let ledger = data.summary.get("ledger").and_then(Value::as_object);
+    let row = |(name, value): (&String, &Value)| {
+        let unit = data.unit(&format!("ledger.{name}"));
+        let shown = value
+            .as_f64()
+            .map_or("not determined".into(), |v| quantity(v, unit));
+        vec![in_words(name), shown]
+    };
+    let rows: Vec<Vec<String>> = ledger.into_iter().flatten().map(row).collect();
+    if rows.is_empty() {
+        page.absent("The final ledger is not known (summary.json has no ledger).");
+    } else {
+        page.table(&["ledger at the end", ""], &rows);
+    }
+}
+
+fn write_curves(page: &mut Page, data: &RunData) {
     let Some((history, time)) = data
         .history
         .as_ref()

@@ -3,6 +3,7 @@
 use crate::report::html::Page;
 use crate::report::plot::{Axis, Plot};
 use crate::report::run_data::{RunData, points};
+use crate::report::units::in_words;
 
 /// Figures at most; further quantities are named and stay in the tables.
 const SHOWN: usize = 6;
@@ -31,7 +32,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
         .map(|(name, unit)| {
             (
                 figure(data, name, unit),
-                format!("{} at the probes.", sentence(name)),
+                format!("{} at the probes.", in_words(name)),
             )
         })
         .collect();
@@ -57,12 +58,4 @@ fn figure(data: &RunData, name: &str, unit: &str) -> String {
         }
     }
     plot.to_svg()
-}
-
-fn sentence(name: &str) -> String {
-    let words = name.replace('_', " ");
-    let mut letters = words.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::report::html::Page;
 use crate::report::run_data::RunData;
-use crate::report::units::{quantity, significant};
+use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
 const KEY_RESULTS: [(&str, &str); 17] = [
@@ -30,25 +30,57 @@ const KEY_RESULTS: [(&str, &str); 17] = [
     ("mass_drift", "Mass, closing error"),
 ];
 
-/// The table of final numbers.
+/// Numbers that the section on the run shows.
+pub(super) const FACTS: [(&str, &str); 6] = [
+    ("particles", "Particles"),
+    ("end_time", "Simulated time"),
+    ("steps", "Steps"),
+    ("wall_time", "Wall time"),
+    ("threads", "Threads"),
+    ("version", "Version of Erode"),
+];
+
+/// The table of final numbers: first those with words of their own, then all others.
 pub(crate) fn write(page: &mut Page, data: &RunData) {
     page.section("Results");
-    let rows: Vec<Vec<String>> = KEY_RESULTS
-        .iter()
-        .filter_map(|(key, words)| {
-            Some(vec![
-                words.to_string(),
-                shown(key, data.number(key)?, data.unit(key)),
-            ])
-        })
-        .collect();
-    if rows.is_empty() {
-        page.absent(
-            "No final numbers: summary.json is missing or holds none of the known quantities.",
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    for (key, words) in KEY_RESULTS {
+        rows.extend(
+            data.summary
+                .get(key)
+                .and_then(|value| row(data, key, words, value)),
         );
+    }
+    let known = |key: &str| {
+        KEY_RESULTS
+            .iter()
+            .chain(&FACTS)
+            .any(|(name, _)| *name == key)
+    };
+    for (key, value) in data
+        .summary
+        .as_object()
+        .into_iter()
+        .flatten()
+        .filter(|(key, _)| !known(key))
+    {
+        rows.extend(row(data, key, &in_words(key), value));
+    }
+    if rows.is_empty() {
+        page.absent("No final numbers: summary.json is missing or holds none.");
     } else {
         page.table(&[], &rows);
     }
+}
+
+/// A number that the run could not determine is null in the summary.
+fn row(data: &RunData, key: &str, words: &str, value: &Value) -> Option<Vec<String>> {
+    let text = match value {
+        Value::Number(number) => shown(key, number.as_f64()?, data.unit(key)),
+        Value::Null => "not determined".into(),
+        _ => return None,
+    };
+    Some(vec![words.to_string(), text])
 }
 
 /// Value with unit; strains and shares in per cent.
@@ -111,7 +143,7 @@ fn comparison_row(entry: &Value) -> Vec<String> {
         _ => String::new(),
     };
     vec![
-        name.replace('_', " "),
+        in_words(&name),
         cell("value"),
         cell("reference"),
         difference,
@@ -130,7 +162,7 @@ mod tests {
         assert_eq!(
             comparison_row(&entry),
             [
-                "max plastic strain",
+                "Max plastic strain",
                 "0.250 %",
                 "0.230 %",
                 "+8.7 %",
@@ -141,7 +173,7 @@ mod tests {
             serde_json::json!({"quantity": "place", "value": "off the axis", "reference": null});
         assert_eq!(
             comparison_row(&words),
-            ["place", "off the axis", "not available", "", ""]
+            ["Place", "off the axis", "not available", "", ""]
         );
         assert_eq!(shown("max_strain_rate", 2.0e6, "1/s"), "2.000×10⁶ 1/s");
     }

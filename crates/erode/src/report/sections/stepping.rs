@@ -3,11 +3,12 @@
 use serde_json::Value;
 
 use super::asked::duration;
+use super::results::FACTS;
 use crate::report::html::Page;
 use crate::report::instants::Instants;
 use crate::report::plot::{Axis, Plot};
 use crate::report::run_data::RunData;
-use crate::report::units::{grouped, quantity, significant};
+use crate::report::units::{grouped, in_words, quantity, significant};
 
 /// Writes the section.
 pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
@@ -59,7 +60,7 @@ fn write_limiters(page: &mut Page, data: &RunData) {
         .iter()
         .map(|(name, count)| {
             vec![
-                name.replace('_', " "),
+                in_words(name),
                 grouped(*count),
                 format!("{} %", significant(100.0 * count / total, 3)),
             ]
@@ -67,15 +68,6 @@ fn write_limiters(page: &mut Page, data: &RunData) {
         .collect();
     page.table(&["what limited the step", "steps", "share"], &rows);
 }
-
-const FACTS: [(&str, &str); 6] = [
-    ("particles", "Particles"),
-    ("end_time", "Simulated time"),
-    ("steps", "Steps"),
-    ("wall_time", "Wall time"),
-    ("threads", "Threads"),
-    ("version", "Version of Erode"),
-];
 
 fn write_facts(page: &mut Page, data: &RunData) {
     let fact = |key: &str| match data.summary.get(key)? {

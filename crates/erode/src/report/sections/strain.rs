@@ -1,15 +1,19 @@
 //! Plastic strain at the end along the surface of the solid and along the axis.
 
+use super::fields::{draw, largest_strain, percent, strain_layer};
 use crate::report::html::Page;
+use crate::report::instants::Instants;
+use crate::report::picture::Layer;
 use crate::report::plot::{Axis, Plot};
 use crate::report::run_data::RunData;
 use crate::report::snapshot::Body;
 use crate::report::units::quantity;
+use crate::report::view::strained_view;
 
 /// Writes the section.
-pub(crate) fn write(page: &mut Page, data: &RunData, solid: Option<&Body>) {
+pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants, end: &[Body]) {
     page.section("Plastic strain");
-    let Some(profiles) = solid.and_then(Profiles::of) else {
+    let Some(profiles) = end.iter().find(|b| b.is_solid()).and_then(Profiles::of) else {
         page.absent(if data.frames.is_empty() {
             "Not known: no fields were written."
         } else {
@@ -21,7 +25,45 @@ pub(crate) fn write(page: &mut Page, data: &RunData, solid: Option<&Body>) {
         page.absent("The solid stayed elastic: no particle has a plastic strain.");
         return;
     }
-    page.figures(&profiles.figures());
+    let mut figures: Vec<(String, String)> = close_up(end).into_iter().collect();
+    figures.extend(profiles.figures());
+    figures.extend(growth(data, instants));
+    page.figures(&figures);
+}
+
+/// The yielded region at the end.
+fn close_up(end: &[Body]) -> Option<(String, String)> {
+    let largest = largest_strain(end);
+    let view = strained_view(end, largest)?;
+    let layers: Vec<Layer> = end
+        .iter()
+        .filter_map(|body| strain_layer(body, largest))
+        .collect();
+    Some((
+        draw("", view, layers),
+        format!(
+            "Plastic strain at the end, largest value {}.",
+            percent(largest)
+        ),
+    ))
+}
+
+/// The largest plastic strain against time, if it was recorded.
+fn growth(data: &RunData, instants: &Instants) -> Option<(String, String)> {
+    let mut strain = data.history_points("max_plastic_strain")?;
+    strain.iter_mut().for_each(|p| p[1] *= 100.0);
+    let axes = (
+        Axis::new("time", "s"),
+        Axis::new("largest plastic strain", "%"),
+    );
+    let mut plot = Plot::new(axes.0, axes.1).line("", strain);
+    for (time, name) in instants.named() {
+        plot = plot.event(time, name);
+    }
+    Some((
+        plot.to_svg(),
+        "The largest plastic strain against time.".into(),
+    ))
 }
 
 /// One particle of the solid.
@@ -131,10 +173,6 @@ fn curve(points: &[Point], along: fn(&Point) -> f64) -> Vec<[f64; 2]> {
         .iter()
         .map(|p| [along(p), 100.0 * p.strain])
         .collect()
-}
-
-fn percent(strain: f64) -> String {
-    quantity(100.0 * strain, "%")
 }
 
 /// The particles nearest to the line `across = level`, one per spacing in the direction `along`, in order. A line at

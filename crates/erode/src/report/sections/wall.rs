@@ -63,6 +63,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
             against_radius(&wall, instants),
             "Pressure at the wall against the distance from the axis, from its largest value on.".into(),
         ),
+        (largest(&wall), "Largest pressure during the run at each distance from the axis.".into()),
         (
             over_both(&wall),
             "Pressure at the wall over time and distance from the axis; the 0.1 % smallest and largest values take the \
@@ -88,6 +89,24 @@ fn against_time(wall: &WallPressure, instants: &Instants) -> String {
         plot = plot.event(collapse, "collapse");
     }
     plot.to_svg()
+}
+
+fn largest(wall: &WallPressure) -> String {
+    let peak = |p: &&[f64]| {
+        p.iter()
+            .copied()
+            .filter(|v| v.is_finite())
+            .reduce(f64::max)
+            .unwrap_or(f64::NAN)
+    };
+    let peaks: Vec<f64> = wall.pressure.iter().map(peak).collect();
+    let axes = (
+        Axis::new("distance from the axis", "m"),
+        Axis::new("largest pressure", "Pa"),
+    );
+    Plot::new(axes.0, axes.1)
+        .line("", points(&wall.radius, &peaks))
+        .to_svg()
 }
 
 /// Six instants from the largest pressure on, a twentieth of that time apart (the thesis steps by 0.05 collapse times).
