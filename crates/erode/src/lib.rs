@@ -3,3 +3,4 @@
 pub mod case;
 pub mod materials;
 pub mod output;
+pub mod report;
