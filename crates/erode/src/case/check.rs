@@ -6,7 +6,7 @@ use super::{
     node::{Data, Node},
     raw::{Entry, Raw, RawTable, RawValue},
     schema::{Key, Kind, Need, Table},
-    suggest::did_you_mean,
+    suggest::{closest, did_you_mean},
 };
 
 /// Checks a table. `path` is its name as written in brackets, empty for the whole file.
@@ -19,10 +19,11 @@ pub(crate) fn check_table(
 ) -> Node {
     let mut entries = Vec::new();
     let chosen = check_choice(raw, span, schema, path, findings);
-    for entry in &raw.entries {
-        if schema.key(&entry.key).is_none() {
-            unknown_key(entry, schema, path, findings);
-        }
+    // A key that is only misspelt is not reported as missing too.
+    let mut meant = Vec::new();
+    for entry in raw.entries.iter().filter(|e| schema.key(&e.key).is_none()) {
+        unknown_key(entry, schema, path, findings);
+        meant.extend(closest(&entry.key, schema.keys.iter().map(|k| k.name)));
     }
     for key in schema.keys {
         let is_alternative = schema.one_of.contains(&key.name);
@@ -31,6 +32,7 @@ pub(crate) fn check_table(
         }
         let node = match raw.get(key.name) {
             Some(entry) => Some(check_entry(entry, key, &join(path, key.name), findings)),
+            None if key.need == Need::Required && meant.contains(&key.name) => None,
             None => absent(key, span, path, findings),
         };
         entries.extend(node.map(|n| (key.name.to_owned(), n)));
@@ -329,7 +331,10 @@ pub(crate) fn example(key: &Key) -> String {
         Kind::Text | Kind::Name => format!("{} = \"...\"", key.name),
         Kind::Switch => format!("{} = true", key.name),
         Kind::Count(_) => format!("{} = 30", key.name),
-        Kind::Quantity(d, _) | Kind::Property(d, _) => format!("{} = {}", key.name, d.example()),
+        Kind::Quantity(d, _) | Kind::Property(d, _) => match key.need {
+            Need::Default(value) if d == super::units::NUMBER => format!("{} = {value}", key.name),
+            _ => format!("{} = {}", key.name, d.example()),
+        },
         Kind::Pair(d) => format!("{} = [{e}, {e}]", key.name, e = d.example()),
         Kind::Table(t) if !t.one_of.is_empty() => {
             format!("{}.{} = {{ ... }}", key.name, t.one_of[0])

@@ -116,22 +116,12 @@ fn report<'a>(
         );
         return;
     };
-    let list = missing.join(", ");
-    let mut reasons: Vec<String> = Vec::new();
-    for path in missing {
-        if let Some(why) = material.missing.get(path) {
-            let last = path.rsplit('.').next().unwrap_or(path);
-            reasons.push(format!("{last}: {why}"));
-        }
-    }
-    let mut help = String::new();
-    if !reasons.is_empty() {
-        help = format!("{}. ", reasons.join("; "));
-    }
-    let table = missing[0].rsplit_once('.').map_or("", |(table, _)| table);
-    let last = missing[0].rsplit('.').next().unwrap_or_default();
+    let mut help = reasons(material, missing);
+    let (table, last) = missing[0]
+        .rsplit_once('.')
+        .unwrap_or(("solid", &missing[0]));
     help.push_str(&format!(
-        "Give what is missing in the case, as [material.{name}.{table}] {last} = ..."
+        "Give what is missing in the case: [material.{name}.{table}] {last} = ..."
     ));
     if missing
         .iter()
@@ -141,12 +131,30 @@ fn report<'a>(
     }
     let usable: Vec<&str> = usable.collect();
     help.push_str(&format!(". Complete as {role}: {}", usable.join(", ")));
-    findings.error(
-        span,
-        format!("`{name}` cannot be used as {role}: it lacks {list}"),
-        "incomplete",
-        help,
+    let message = format!(
+        "`{name}` cannot be used as {role}: it lacks {}",
+        missing.join(", ")
     );
+    findings.error(span, message, "incomplete", help);
+}
+
+/// What the sources say about missing properties: "b, n: no hardening in the source. "
+fn reasons(material: &Material, missing: &[String]) -> String {
+    let mut grouped: Vec<(&str, Vec<&str>)> = Vec::new();
+    for path in missing {
+        let Some(why) = material.missing.get(path) else {
+            continue;
+        };
+        let last = path.rsplit('.').next().unwrap_or(path);
+        match grouped.iter_mut().find(|(w, _)| w == why) {
+            Some((_, names)) => names.push(last),
+            None => grouped.push((why, vec![last])),
+        }
+    }
+    grouped
+        .iter()
+        .map(|(why, names)| format!("{}: {why}. ", names.join(", ")))
+        .collect()
 }
 
 /// Discrete form of a liquid under `key`.

@@ -2,7 +2,7 @@
 
 use super::{
     body::Built,
-    error::{Findings, Span},
+    error::Findings,
     laws,
     node::Fields,
     simulation::{Body, BodyKind, Bubble, Fluid, Side, Sides, Solid, Wave},
@@ -52,12 +52,12 @@ struct NearWall {
 
 impl NearWall {
     fn read(f: Fields<'_>, findings: &mut Findings) -> Option<Self> {
-        let inside_height = inside_domain(f, "height", "top of the bubble", findings);
-        let inside_width = inside_domain(f, "width", "side of the bubble", findings);
+        check_inside(f, "height", "top of the bubble", findings);
+        check_inside(f, "width", "side of the bubble", findings);
         let radius = f.number("radius")?;
         let distance = f.number("standoff")? * radius;
         let spacing = radius / f.number("particles_per_radius")?;
-        let numbers = Self {
+        Some(Self {
             radius,
             distance,
             pressure: f.number("driving_pressure")?,
@@ -66,8 +66,7 @@ impl NearWall {
             width: f.number("width")? * radius,
             height: distance + f.number("height")? * radius,
             depth: f.number("wall_depth")? * radius,
-        };
-        (inside_height && inside_width).then_some(numbers)
+        })
     }
 
     /// The step reaches the top of the bubble, the bubble collapses, the shock runs into the wall.
@@ -199,11 +198,11 @@ fn bubble_in_liquid(
     library: &Library,
     findings: &mut Findings,
 ) -> Option<Expansion> {
-    let inside = inside_domain(f, "domain", "bubble", findings);
+    check_inside(f, "domain", "surface of the bubble", findings);
     let eos = laws::fluid(f, "liquid", None, library, findings)?;
     let (radius, pressure) = (f.number("radius")?, f.number("pressure")?);
     let spacing = radius / f.number("particles_per_radius")?;
-    let extent = f.number("domain").filter(|_| inside)? * radius;
+    let extent = f.number("domain")? * radius;
     let far = Side::NonReflecting {
         pressure,
         wave: None,
@@ -267,22 +266,15 @@ fn symmetry(geometry: Geometry) -> Side {
     }
 }
 
-/// Whether the bubble lies inside the liquid: an extent in radii must exceed one.
-fn inside_domain(f: Fields<'_>, key: &str, what: &str, findings: &mut Findings) -> bool {
-    match f.number(key) {
-        Some(x) if x <= 1.0 => {
-            let span: Span = f.at(key);
-            let message = format!(
-                "the bubble lies outside the liquid: with `{key}` = {x} the {what} is beyond its edge"
-            );
-            findings.error(
-                span,
-                message,
-                "too small",
-                format!("`{key}` counts in bubble radii; 4 to 10 are sensible"),
-            );
-            false
-        }
-        other => other.is_some(),
+/// The bubble must lie inside the liquid: an extent in radii must exceed one.
+fn check_inside(f: Fields<'_>, key: &str, what: &str, findings: &mut Findings) {
+    if let Some(x) = f.number(key)
+        && x <= 1.0
+    {
+        let message = format!(
+            "the bubble lies outside the liquid: with `{key}` = {x} the {what} is beyond its edge"
+        );
+        let help = format!("`{key}` counts in bubble radii; 4 to 10 are sensible");
+        findings.error(f.at(key), message, "too small", help);
     }
 }

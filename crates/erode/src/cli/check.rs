@@ -135,7 +135,7 @@ fn cost(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
         row(
             "wall time",
             format!(
-                "about {} at an assumed {} million particle steps per second",
+                "{} at an assumed {} million particle steps per second",
                 duration(e.wall_time),
                 significant(PARTICLE_STEPS_PER_SECOND / 1e6)
             ),
