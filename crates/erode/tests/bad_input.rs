@@ -11,15 +11,15 @@ fn erode(args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_erode"))
         .args(args)
         .output()
-        .unwrap()
+        .expect("the program starts")
 }
 
 /// What `erode check` says about a case file that must be refused.
 fn refused(file: &Path, more: &[&str]) -> String {
-    let mut args = vec!["check", file.to_str().unwrap()];
+    let mut args = vec!["check", file.to_str().expect("the path is UTF-8")];
     args.extend(more);
     let output = erode(&args);
-    let text = String::from_utf8(output.stderr).unwrap();
+    let text = String::from_utf8(output.stderr).expect("output is UTF-8");
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(output.stdout.is_empty(), "errors go to stderr");
     text
@@ -29,19 +29,23 @@ struct Folder(tempfile::TempDir);
 
 impl Folder {
     fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
+        Self(tempfile::tempdir().expect("a folder"))
     }
 
     fn file(&self, bytes: impl AsRef<[u8]>) -> PathBuf {
         let file = self.0.path().join("case.toml");
-        std::fs::write(&file, bytes).unwrap();
+        std::fs::write(&file, bytes).expect("a writable folder");
         file
     }
 }
 
 /// The case with one line replaced, and the number of that line.
 fn changed(old: &str, new: &str) -> (String, usize) {
-    let line = CASE.lines().position(|l| l.starts_with(old)).unwrap() + 1;
+    let line = CASE
+        .lines()
+        .position(|l| l.starts_with(old))
+        .expect("a line of the case")
+        + 1;
     let lines = CASE
         .lines()
         .enumerate()

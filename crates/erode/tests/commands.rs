@@ -6,7 +6,7 @@ fn erode(args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_erode"))
         .args(args)
         .output()
-        .unwrap()
+        .expect("the program starts")
 }
 
 fn says(args: &[&str]) -> String {
@@ -16,7 +16,7 @@ fn says(args: &[&str]) -> String {
         "{args:?}: {}",
         String::from_utf8_lossy(&output.stderr)
     );
-    String::from_utf8(output.stdout).unwrap()
+    String::from_utf8(output.stdout).expect("output is UTF-8")
 }
 
 #[test]

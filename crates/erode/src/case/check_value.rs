@@ -136,23 +136,22 @@ fn property(
         );
         return Data::Bad;
     };
-    let source = match table.get("source").map(|e| &e.value) {
-        None => None,
-        Some(Raw {
-            value: RawValue::Text(s),
-            ..
-        }) => Some(s.clone()),
-        Some(other) => {
-            let message = format!("the source of `{}` must be a text", key.name);
-            findings.error(other.span, message, "expected a text in quotes", "");
-            None
-        }
-    };
+    let source = property_source(table, key, findings);
     quantity(&value.value, d, range, key, findings).map_or(Data::Bad, |x| Data::Property {
         value: x,
         dimension: d,
         source,
     })
+}
+
+fn property_source(table: &RawTable, key: &Key, findings: &mut Findings) -> Option<String> {
+    let given = &table.get("source")?.value;
+    if let RawValue::Text(s) = &given.value {
+        return Some(s.clone());
+    }
+    let message = format!("the source of `{}` must be a text", key.name);
+    findings.error(given.span, message, "expected a text in quotes", "");
+    None
 }
 
 /// A number in SI, or the error that keeps it from being one.

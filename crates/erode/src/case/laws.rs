@@ -49,8 +49,8 @@ pub(crate) fn solid(
     findings: &mut Findings,
 ) -> Option<(f64, Elastic, Strength)> {
     let terms = Terms {
-        strain_rate: fields.switch("strain_rate")?,
-        thermal_softening: fields.switch("thermal_softening")?,
+        strain_rate: fields.switch("strain_rate").unwrap_or(true),
+        thermal_softening: fields.switch("thermal_softening").unwrap_or(false),
     };
     let name = fields.text(key)?;
     let material = with_own(name, "solid", own, library);
@@ -96,18 +96,7 @@ fn report<'a>(
     findings: &mut Findings,
 ) {
     let Some(material) = library.get(name) else {
-        let all: Vec<&str> = library.iter().map(|m| m.name.as_str()).collect();
-        let mut help = did_you_mean(
-            name,
-            usable.clone(),
-            &format!("materials that can be {role}"),
-        );
-        if let (None, Some(other)) = (closest(name, usable), closest(name, all.into_iter())) {
-            help = format!("did you mean `{other}`? {help}");
-        }
-        help.push_str(
-            "; `erode materials` shows them, a folder `materials` beside the case adds own ones",
-        );
+        let help = unknown_help(name, role, usable, library);
         findings.error(
             span,
             format!("there is no material `{name}`"),
@@ -136,6 +125,26 @@ fn report<'a>(
         missing.join(", ")
     );
     findings.error(span, message, "incomplete", help);
+}
+
+fn unknown_help<'a>(
+    name: &str,
+    role: &str,
+    usable: impl Iterator<Item = &'a str> + Clone,
+    library: &Library,
+) -> String {
+    let list = did_you_mean(
+        name,
+        usable.clone(),
+        &format!("materials that can be {role}"),
+    );
+    // A misspelt name may also belong to a material that cannot be used here.
+    let other = closest(name, library.iter().map(|m| m.name.as_str()));
+    let other = other.filter(|_| closest(name, usable).is_none());
+    let other = other.map_or_else(String::new, |o| format!("did you mean `{o}`? "));
+    format!(
+        "{other}{list}; `erode materials` shows them, a folder `materials` beside the case adds own ones"
+    )
 }
 
 /// What the sources say about missing properties: "b, n: no hardening in the source. "

@@ -203,10 +203,6 @@ fn bubble_in_liquid(
     let (radius, pressure) = (f.number("radius")?, f.number("pressure")?);
     let spacing = radius / f.number("particles_per_radius")?;
     let extent = f.number("domain")? * radius;
-    let far = Side::NonReflecting {
-        pressure,
-        wave: None,
-    };
     let fluid = Fluid {
         material: f.text("liquid")?.to_owned(),
         eos,
@@ -214,36 +210,15 @@ fn bubble_in_liquid(
         pressure,
         velocity: [0.0; 2],
     };
-    let core = Shape::Rectangle {
-        lower: [0.0, -1.5 * radius],
-        upper: [1.5 * radius, 1.5 * radius],
-    };
-    let coarsest = f.number("coarsening")? * spacing;
     let title = format!("empty bubble in {} far from walls", fluid.material);
-    let body = Body {
-        name: "liquid".to_owned(),
-        kind: BodyKind::Fluid(fluid),
-        shape: Shape::Rectangle {
-            lower: [0.0, -extent],
-            upper: [extent, extent],
-        },
-        holes: vec![Shape::Disc {
-            centre: [0.0, 0.0],
-            radius,
-        }],
-        spacing: Spacing {
-            finest: spacing,
-            coarsest,
-            growth: GROWTH,
-            core: Some(core),
-        },
-        sides: Sides {
-            left: symmetry(geometry),
-            right: far.clone(),
-            bottom: far.clone(),
-            top: far,
-        },
-    };
+    let coarsest = f.number("coarsening")? * spacing;
+    let body = ball_of_liquid(
+        fluid,
+        radius,
+        extent,
+        (spacing, coarsest),
+        symmetry(geometry),
+    );
     Some(Expansion {
         title,
         // An empty bubble closes at the Rayleigh time, a little later in a compressible liquid.
@@ -256,6 +231,49 @@ fn bubble_in_liquid(
         },
         bodies: vec![Built::of_setup(body, f.span, f.at("particles_per_radius"))],
     })
+}
+
+/// Liquid about a bubble at (0, 0), going on without end.
+fn ball_of_liquid(
+    kind: Fluid,
+    radius: f64,
+    extent: f64,
+    (finest, coarsest): (f64, f64),
+    axis: Side,
+) -> Body {
+    let far = Side::NonReflecting {
+        pressure: kind.pressure,
+        wave: None,
+    };
+    let near = 1.5 * radius;
+    let core = Shape::Rectangle {
+        lower: [0.0, -near],
+        upper: [near, near],
+    };
+    Body {
+        name: "liquid".to_owned(),
+        kind: BodyKind::Fluid(kind),
+        shape: Shape::Rectangle {
+            lower: [0.0, -extent],
+            upper: [extent, extent],
+        },
+        holes: vec![Shape::Disc {
+            centre: [0.0, 0.0],
+            radius,
+        }],
+        spacing: Spacing {
+            finest,
+            coarsest,
+            growth: GROWTH,
+            core: Some(core),
+        },
+        sides: Sides {
+            left: axis,
+            right: far.clone(),
+            bottom: far.clone(),
+            top: far,
+        },
+    }
 }
 
 /// The plane of symmetry through the bubble.

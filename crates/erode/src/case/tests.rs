@@ -282,6 +282,40 @@ fn errors_of_overrides_point_to_the_override() {
 }
 
 #[test]
+fn an_error_in_one_block_does_not_hide_those_in_others() {
+    let found = errors(
+        OWN_BODIES,
+        &[
+            "title=3",
+            "geometry={ plain = {} }",
+            "body.water.shape.rectangle.lower=[1, 1]",
+            "body.water.hole=[{ disc = { centre = 0, radius = -1 } }]",
+            "body.water.spacing.coarsest=1 um",
+            "body.plate.solid.strain_rate=3",
+            "body.plate.solid.material=steel_3161",
+            "probe.0.position=[inf, 0]",
+            "run.end_time=-1",
+        ],
+    )
+    .join("\n");
+    for phrase in [
+        "`title` must be a text",
+        "did you mean `plane`",
+        "no area",
+        "`centre` must be an array",
+        "`radius` must be greater than zero",
+        "smaller than `finest`",
+        "`strain_rate` must be true or false",
+        "did you mean `steel_316l`",
+        "`position` must be finite",
+        "`end_time` must be greater than zero",
+    ] {
+        assert!(found.contains(phrase), "{phrase}: {found}");
+    }
+    assert_eq!(found.lines().count(), 10, "{found}");
+}
+
+#[test]
 fn a_case_can_complete_a_material_of_the_library() {
     let wall = "setup.bubble_near_wall.wall=titanium_6al4v";
     let found = errors(NEAR_STEEL, &[wall]);
