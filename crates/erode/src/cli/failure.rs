@@ -95,7 +95,7 @@ fn report_case(errors: &CaseErrors) {
         eprintln!();
     }
     match errors.errors.len() {
-        1 => eprintln!("1 error: the case is not run."),
-        n => eprintln!("{n} errors: the case is not run."),
+        1 => eprintln!("1 error: nothing was run."),
+        n => eprintln!("{n} errors: nothing was run."),
     }
 }

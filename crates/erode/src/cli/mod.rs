@@ -6,6 +6,7 @@ mod failure;
 mod format;
 mod materials;
 mod new;
+mod say;
 
 use args::{Cli, Command};
 use clap::Parser;
