@@ -5,7 +5,7 @@
 //! negative, so that R P runs smoothly through the axis (no correction function is needed there).
 
 use super::block::{Block, Side};
-use super::mat2::{Mat2, mirrored, scaled};
+use super::mat2::{Mat2, mirrored, product, scaled};
 use super::surface::Surface;
 use crate::geometry::Vec2;
 
@@ -72,10 +72,10 @@ pub(super) fn all_images(block: &Block, position: &[Vec2], reach: &[f64]) -> Vec
     images
 }
 
-/// R P L of a particle, with what is needed to continue it beyond a face.
+/// R P of a particle, with what is needed to continue it beyond a face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Flux {
-    /// R P L.
+    /// R P.
     pub(super) flux: Mat2,
     /// Correction L of the gradient.
     pub(super) correction: Mat2,
@@ -93,11 +93,12 @@ fn reflected_weight(axisymmetric: bool, side: Side, block: &Block, weight: f64) 
 }
 
 impl Flux {
-    /// The flux at an image of the particle.
+    /// R P L at an image of the particle.
     ///
     /// Mirror faces: P_rz, P_zr odd. Open faces: the traction column of R P is odd about the given traction,
-    /// (R P)' N = 2 R T - (R P) N, the other column even. Transforming columns only makes the forces of the pairs
-    /// (a, b') and (b, a') cancel but for the T part, so that the total force on the body is the traction's.
+    /// (R P)' N = 2 R t - (R P) N, and so is its partner beside the diagonal; the two remaining diagonal parts are
+    /// even. The odd partner costs the exact balance of momentum where shear varies along the face, but an even one
+    /// (which keeps it) takes 8 % off the plastic strain under a Gaussian pressure ten spacings wide.
     pub(super) fn at_image(
         mut self,
         image: &Image,
@@ -122,16 +123,13 @@ impl Flux {
                 };
                 let traction = traction_at(surfaces, side, image.source);
                 for (i, row) in self.flux.iter_mut().enumerate() {
-                    // Q D + 2 R t n (row of L'): column `axis` of P changes sign, L' = D L D.
-                    row[axis] *= -1.0;
-                    let k = 2.0 * on_face * side.sign() * traction[i] * turned[i];
-                    row[0] += k * self.correction[axis][0];
-                    row[1] += k * self.correction[axis][1];
+                    row[axis] = 2.0 * on_face * side.sign() * traction[i] * turned[i] - row[axis];
                 }
+                self.flux[axis][1 - axis] *= -1.0;
             }
             self.weight = weight;
         }
-        self.flux
+        product(&self.flux, &self.correction)
     }
 }
 

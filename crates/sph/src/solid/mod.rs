@@ -39,6 +39,9 @@ pub struct Numerics {
     pub smoothing_ratio: f64,
     /// Linear artificial viscosity alpha.
     pub viscosity: f64,
+    /// Linear artificial viscosity of pairs with a particle of the first row of an open face, on approach and
+    /// separation; must be about 1 for stability (see `force.rs`).
+    pub edge_viscosity: f64,
     /// Hourglass stiffness zeta.
     pub hourglass: f64,
     /// Stable step in units of spacing / longitudinal wave speed.
@@ -49,7 +52,8 @@ impl Default for Numerics {
     fn default() -> Self {
         Self {
             smoothing_ratio: 1.3,
-            viscosity: 1.0,
+            viscosity: 0.2,
+            edge_viscosity: 1.0,
             hourglass: 0.1,
             courant: 0.4,
         }
