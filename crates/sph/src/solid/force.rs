@@ -2,6 +2,8 @@
 //!
 //! rho0 R_a a_a = sum_b A_b (R_a P_a L_a + R_b P_b L_b) grad_a W_ab - P_tt e_r,  P = J sigma F^-T, P_tt = J s_tt/F_tt
 //!
+//! less what a uniform stress would leave of it on a packing that is no lattice (`balance.rs`).
+//!
 //! Added in the same sum over real particles and mirror images, both weighted with the mean of |R_a| and |R_b|:
 //! viscosity alpha rho0 c_l h (v_ab.x_ab)/|X|^2 (dW/dX)/X x_ab on approach (Joshi 2018, eq. 5.22 with beta = 0, the
 //! reference distance in place of the present one), for pairs of the first row of an open face also on separation; and
@@ -14,7 +16,7 @@
 //! R is the signed radius in axisymmetry and 1 in plane strain. Units: SI.
 
 use super::images::{Flux, Image};
-use super::mat2::{Mat2, determinant, inverse, product, product_transposed, scaled};
+use super::mat2::{Mat2, apply, determinant, inverse, product, product_transposed, scaled};
 use super::reference::Reference;
 use super::state::State;
 use super::stress::TASK;
@@ -82,7 +84,9 @@ impl Scratch {
                 force[i] += (q[i][0] + qb[i][0]) * g[0] + (q[i][1] + qb[i][1]) * g[1];
             }
         }
-        force[0] -= self.hoop[a];
+        let imbalance = apply(q, reference.imbalance[a]);
+        force[0] -= imbalance[0] + self.hoop[a];
+        force[1] -= imbalance[1];
         let scale = 1.0 / (density * reference.weight[a]);
         parts.total = [0, 1].map(|i| force[i] * scale + parts.viscous[i] + parts.hourglass[i]);
         parts

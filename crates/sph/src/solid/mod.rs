@@ -2,9 +2,11 @@
 //!
 //! The body is a rectangle in its reference configuration, of any (also graded) spacing; neighbours and gradients are
 //! those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
-//! the same bits for any number of threads. Formulation and its measured errors: docs/equations.md.
+//! the same bits for any number of threads. The formulas stand on top of
+//! `stress.rs` (strain and stress), `force.rs`, `images.rs` (faces), `balance.rs`, `surface.rs` and `energy.rs`.
 
 mod absorbing;
+mod balance;
 mod block;
 mod energy;
 mod error;
@@ -113,12 +115,14 @@ impl Solid {
             position,
             area,
         } = setup;
-        let reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
+        let mut reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
         let surfaces = Side::ALL
             .into_iter()
             .filter(|&side| !block.face(side).mirrors())
             .map(|side| Surface::new(geometry, &block, side, &reference))
             .collect::<Result<Vec<_>, _>>()?;
+        let axisymmetric = geometry == Geometry::Axisymmetric;
+        reference.imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
         let mut solid = Self {
             state: State::at_rest(reference.position.clone(), material.temperature),
             geometry,

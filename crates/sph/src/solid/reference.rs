@@ -63,6 +63,8 @@ pub struct Reference {
     pub(super) open_images: Vec<Image>,
     pub(super) full_correction: Vec<Mat2>,
     pub(super) own_correction: Vec<Mat2>,
+    /// See `balance.rs`.
+    pub(super) imbalance: Vec<Vec2>,
     pair_start: Vec<u32>,
     pairs: Vec<Pair>,
     open_start: Vec<u32>,
@@ -99,6 +101,7 @@ impl Reference {
             open_images: Vec::new(),
             full_correction: Vec::new(),
             own_correction: Vec::new(),
+            imbalance: Vec::new(),
             pair_start: vec![0],
             pairs: Vec::new(),
             open_start: vec![0],

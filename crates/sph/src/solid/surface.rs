@@ -170,6 +170,11 @@ impl Surface {
         Ok(j as u32)
     }
 
+    /// Scale of the traction that the images of a particle carry.
+    pub(super) fn scale_on(&self, particle: u32) -> f64 {
+        self.scale[self.point_of_particle[particle as usize] as usize]
+    }
+
     /// Scaled traction that the images of a particle carry, Pa.
     pub(super) fn traction_on(&self, particle: u32) -> Vec2 {
         let j = self.point_of_particle[particle as usize] as usize;
