@@ -2,9 +2,11 @@
 //!
 //! The body is a rectangle in its reference configuration, of any (also graded) spacing; neighbours and gradients are
 //! those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
-//! the same bits for any number of threads. Formulation and its measured errors: docs/equations.md.
+//! the same bits for any number of threads. The formulas stand on top of
+//! `stress.rs` (strain and stress), `force.rs`, `images.rs` (faces), `balance.rs`, `surface.rs` and `energy.rs`.
 
 mod absorbing;
+mod balance;
 mod block;
 mod energy;
 mod error;
@@ -39,6 +41,9 @@ pub struct Numerics {
     pub smoothing_ratio: f64,
     /// Linear artificial viscosity alpha.
     pub viscosity: f64,
+    /// Linear artificial viscosity of pairs with a particle of the first row of an open face, on approach and
+    /// separation; must be about 1 for stability (see `force.rs`).
+    pub edge_viscosity: f64,
     /// Hourglass stiffness zeta.
     pub hourglass: f64,
     /// Stable step in units of spacing / longitudinal wave speed.
@@ -49,7 +54,8 @@ impl Default for Numerics {
     fn default() -> Self {
         Self {
             smoothing_ratio: 1.3,
-            viscosity: 1.0,
+            viscosity: 0.2,
+            edge_viscosity: 1.0,
             hourglass: 0.1,
             courant: 0.4,
         }
@@ -109,12 +115,14 @@ impl Solid {
             position,
             area,
         } = setup;
-        let reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
+        let mut reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
         let surfaces = Side::ALL
             .into_iter()
             .filter(|&side| !block.face(side).mirrors())
             .map(|side| Surface::new(geometry, &block, side, &reference))
             .collect::<Result<Vec<_>, _>>()?;
+        let axisymmetric = geometry == Geometry::Axisymmetric;
+        reference.imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
         let mut solid = Self {
             state: State::at_rest(reference.position.clone(), material.temperature),
             geometry,
