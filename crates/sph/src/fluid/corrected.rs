@@ -38,6 +38,9 @@ impl Default for Settings {
 /// Room for motion in the neighbour list during the second half of a step, in units of the support.
 const SKIN: f64 = 0.1;
 
+/// Below this eigenvalue of the moment matrix a particle lies at a free surface or is a fragment.
+const PARTED: f64 = 0.6;
+
 /// What the first half of a step hands to the second.
 pub(crate) struct Sweep {
     pub(crate) ghosts: Ghosts,
@@ -59,6 +62,8 @@ pub struct Account {
     pub wall_crossings: u64,
     /// Particle-steps in which tension was removed.
     pub cavitating: u64,
+    /// Particle-steps in which a fragment was kept at its density at zero pressure.
+    pub parted: u64,
     /// Exchanges of volume that were cut to the largest share a particle may give.
     pub limited_exchanges: u64,
 }
@@ -93,7 +98,18 @@ impl Fluid {
             let relative = k.divergence + k.exchange / self.volume[a];
             self.volume[a] *= (dt * relative).exp();
             self.support[a] = k.support;
+            self.keep_fragments_whole(a);
             self.strain_rate[a] = shifting::norm(&k.gradient);
+        }
+    }
+
+    /// Where the liquid has parted it keeps its density at zero pressure: the void opens between the pieces, not in them.
+    /// Inside the liquid a deficit of density stands for bubbles too small to see and is kept.
+    fn keep_fragments_whole(&mut self, a: usize) {
+        let largest = self.mass[a] / self.eos.reference_density;
+        if self.support[a] < PARTED && self.volume[a] > largest {
+            self.volume[a] = largest;
+            self.account.parted += 1;
         }
     }
 
