@@ -69,10 +69,7 @@ impl Theory {
             assumed,
         } = lookup::liquid_density(data);
         let curve = collapse_curve(start, pressure, density, 400);
-        // Volume is radius cubed.
-        let lost = curve
-            .iter()
-            .find(|p| p[1].powi(3) <= ARRIVED * start.powi(3))?[0];
+        let lost = time_of(&curve, ARRIVED.cbrt() * start)?;
         let begin = instants.arrival.map_or(0.0, |arrival| arrival - lost);
         let end = radius.last()?[0];
         let curve: Vec<[f64; 2]> = curve
@@ -90,5 +87,24 @@ impl Theory {
             quantity(collapse_time(start, pressure, density), "s"),
         );
         (start > 0.0 && pressure > 0.0).then_some(Self { curve, words })
+    }
+}
+
+/// When a falling curve reaches a radius, between its points.
+fn time_of(curve: &[[f64; 2]], radius: f64) -> Option<f64> {
+    let pair = curve.windows(2).find(|pair| pair[1][1] <= radius)?;
+    let share = (pair[0][1] - radius) / (pair[0][1] - pair[1][1]);
+    Some(pair[0][0] + share * (pair[1][0] - pair[0][0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_radius_is_found_between_the_points() {
+        let curve = [[0.0, 1.0], [2.0, 0.5], [3.0, 0.0]];
+        assert_eq!(time_of(&curve, 0.75), Some(1.0));
+        assert_eq!(time_of(&curve, -1.0), None);
     }
 }

@@ -113,6 +113,14 @@ pub(crate) fn write_comparison(page: &mut Page, data: &RunData) {
     }
 }
 
+/// The words of a known key, else the name itself.
+fn key_in_words(name: &str) -> String {
+    let known = KEY_RESULTS
+        .iter()
+        .find(|(key, words)| *key == name && !words.starts_with('…'));
+    known.map_or_else(|| in_words(name), |(_, words)| words.to_string())
+}
+
 fn comparison_row(entry: &Value) -> Vec<String> {
     let text = |key: &str| {
         entry
@@ -143,7 +151,7 @@ fn comparison_row(entry: &Value) -> Vec<String> {
         _ => String::new(),
     };
     vec![
-        in_words(&name),
+        key_in_words(&name),
         cell("value"),
         cell("reference"),
         difference,
@@ -162,7 +170,7 @@ mod tests {
         assert_eq!(
             comparison_row(&entry),
             [
-                "Max plastic strain",
+                "Largest plastic strain",
                 "0.250 %",
                 "0.230 %",
                 "+8.7 %",
