@@ -1,4 +1,6 @@
 //! The front of Erode: case files, runs, reports.
 
+pub mod case;
+pub mod materials;
 pub mod output;
 pub mod report;

@@ -1,5 +1,6 @@
 //! Isotropic linear elasticity.
 
+use crate::tensor::Sym3;
 use serde::{Deserialize, Serialize};
 
 /// Elastic constants of an isotropic solid.
@@ -40,5 +41,50 @@ impl Elastic {
     #[must_use]
     pub fn shear_speed(&self, density: f64) -> f64 {
         (self.shear_modulus() / density).sqrt()
+    }
+}
+
+impl Elastic {
+    /// Stress (Pa) of a small strain: lambda tr(e) I + 2 mu e.
+    #[must_use]
+    pub fn stress(&self, strain: Sym3) -> Sym3 {
+        Sym3::isotropic(self.lame_lambda() * strain.trace()) + strain * (2.0 * self.shear_modulus())
+    }
+
+    /// Energy per volume (J/m3) stored by a stress: mean^2/(2K) + s:s/(4G).
+    #[must_use]
+    pub fn energy_density(&self, stress: Sym3) -> f64 {
+        let (mean, s) = (stress.mean(), stress.deviator());
+        mean * mean / (2.0 * self.bulk_modulus()) + s.double_dot(s) / (4.0 * self.shear_modulus())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEEL: Elastic = Elastic {
+        young_modulus: 186e9,
+        poisson_ratio: 0.3,
+    };
+
+    #[test]
+    fn uniaxial_stress_follows_young_and_poisson() {
+        let strain = Sym3 {
+            xx: 1e-3,
+            yy: -3e-4,
+            zz: -3e-4,
+            ..Sym3::ZERO
+        };
+        let stress = STEEL.stress(strain);
+        assert!((stress.xx / 186e6 - 1.0).abs() < 1e-12);
+        assert!(stress.yy.abs() < 1.0 && stress.zz.abs() < 1.0);
+        // Energy is half of stress times strain.
+        assert!((STEEL.energy_density(stress) / (0.5 * 186e6 * 1e-3) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn wave_speed_of_a2205_is_the_one_of_the_errata() {
+        assert!((STEEL.longitudinal_speed(7800.0) - 5666.0).abs() < 1.0);
     }
 }

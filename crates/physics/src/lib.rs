@@ -4,8 +4,11 @@
 //! pressure is positive in compression, stress positive in tension.
 
 pub mod eos;
+pub mod material_point;
+pub mod return_mapping;
 pub mod strength;
 pub mod tensor;
 
 mod elastic;
 pub use elastic::Elastic;
+pub use tensor::Sym3;

@@ -2,9 +2,17 @@
 //!
 //! SI units; positions are (r, z) in axisymmetry with the axis at r = 0, (x, y) in plane strain.
 
+pub mod cavity;
+pub mod fluid;
 pub mod geometry;
+pub mod interact;
+pub mod interface;
 pub mod kernel;
+pub mod neighbours;
 pub mod packing;
 pub mod shapes;
+pub mod solid;
+
+pub mod world;
 
 pub use geometry::Geometry;

@@ -21,10 +21,14 @@ pub(super) fn write(
     encoding: Encoding,
 ) -> Result<(), OutputError> {
     let arrays = arrays(snapshot);
-    let blocks: Vec<Vec<u8>> = arrays
+    let blocks: io::Result<Vec<Vec<u8>>> = arrays
         .par_iter()
         .map(|array| block(&array.data, encoding))
         .collect();
+    let blocks = blocks.map_err(|cause| OutputError::Write {
+        path: path.into(),
+        cause,
+    })?;
     let header = header(snapshot, &arrays, &blocks, encoding);
     write_atomic(path, |file| {
         file.write_all(header.as_bytes())?;
@@ -116,25 +120,26 @@ fn array_line(array: &Field, offset: usize) -> String {
 
 /// The bytes of an array as they stand in the file. Raw: their number, then they. Zlib: number of blocks, size of a
 /// block, size of the last one if it is smaller (else 0), the compressed sizes, then the compressed blocks.
-fn block(data: &Data, encoding: Encoding) -> Vec<u8> {
+fn block(data: &Data, encoding: Encoding) -> io::Result<Vec<u8>> {
     let bytes = little_endian(data);
-    match encoding {
-        Encoding::Raw => [(bytes.len() as u64).to_le_bytes().as_slice(), &bytes].concat(),
-        Encoding::Zlib => {
-            let compressed: Vec<Vec<u8>> = bytes.chunks(BLOCK).map(compress).collect();
-            let head = [compressed.len(), BLOCK, bytes.len() % BLOCK];
-            let sizes = head.into_iter().chain(compressed.iter().map(Vec::len));
-            let mut out: Vec<u8> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
-            compressed.iter().for_each(|block| out.extend(block));
-            out
-        }
+    if encoding == Encoding::Raw {
+        return Ok([(bytes.len() as u64).to_le_bytes().as_slice(), &bytes].concat());
     }
+    let compressed = bytes
+        .chunks(BLOCK)
+        .map(compress)
+        .collect::<io::Result<Vec<_>>>()?;
+    let head = [compressed.len(), BLOCK, bytes.len() % BLOCK];
+    let sizes = head.into_iter().chain(compressed.iter().map(Vec::len));
+    let mut out: Vec<u8> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
+    compressed.iter().for_each(|block| out.extend(block));
+    Ok(out)
 }
 
-fn compress(bytes: &[u8]) -> Vec<u8> {
+fn compress(bytes: &[u8]) -> io::Result<Vec<u8>> {
     let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
-    let done: io::Result<Vec<u8>> = encoder.write_all(bytes).and_then(|()| encoder.finish());
-    done.expect("writing to memory does not fail")
+    encoder.write_all(bytes)?;
+    encoder.finish()
 }
 
 fn little_endian(data: &Data) -> Vec<u8> {

@@ -1,0 +1,271 @@
+//! Size and shape of a cavity in the liquid.
+//!
+//! The colour c(x) = sum_b A_b W(x - x_b, h_b) is 1 in the liquid and 0 in the void, smeared over the kernel at the surface.
+//! The integral of 1 - c over the void and its rim is the volume of the void to a small part of a particle, however the
+//! particles at the surface are strained (half a spacing inside the first particle is not: a parcel at the surface of a
+//! collapsing bubble is stretched along the radius).
+
+use crate::fluid::Fluid;
+use crate::fluid::ghosts::Ghosts;
+use crate::geometry::{Geometry, Vec2};
+use crate::kernel;
+
+/// The part of the plane in which cavities are looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Window {
+    /// Corner with the smallest coordinates, m.
+    pub lower: Vec2,
+    /// Corner with the largest coordinates, m.
+    pub upper: Vec2,
+    /// Cell size, m; about half the finest particle spacing.
+    pub cell: f64,
+}
+
+/// A connected void.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cavity {
+    /// Volume, m3 (per metre in plane).
+    pub volume: f64,
+    /// Centroid, m (on the axis for a void that touches it).
+    pub centre: Vec2,
+    /// Smallest distance from the axis, m; positive for a toroid.
+    pub inner_radius: f64,
+    /// Lowest and highest second coordinate with colour 1/2, m.
+    pub extent: [f64; 2],
+}
+
+/// Colour of every cell of a window.
+#[derive(Debug, Clone)]
+pub struct Colour {
+    window: Window,
+    geometry: Geometry,
+    size: [usize; 2],
+    colour: Vec<f64>,
+    reach: usize,
+}
+
+impl Colour {
+    /// Colour of the liquid and its ghosts.
+    #[must_use]
+    pub fn new(fluid: &Fluid, ghosts: &Ghosts, window: Window) -> Self {
+        let size = [0, 1].map(|k| {
+            ((window.upper[k] - window.lower[k]) / window.cell)
+                .round()
+                .max(1.0) as usize
+        });
+        let mut colour = Self {
+            window,
+            geometry: fluid.geometry,
+            size,
+            colour: vec![0.0; size[0] * size[1]],
+            reach: 0,
+        };
+        let position = ghosts.extend(&fluid.position, |p, x| p.mirror(x));
+        let mut finest = f64::INFINITY;
+        for (i, x) in position.iter().enumerate() {
+            let a = ghosts.particle(fluid.len(), i);
+            let h = fluid.smoothing_length[a];
+            if colour.add(*x, fluid.area(a), h) {
+                finest = finest.min(h);
+            }
+        }
+        if finest.is_finite() {
+            colour.reach = (kernel::SUPPORT * finest / window.cell).ceil() as usize;
+        }
+        colour
+    }
+
+    fn add(&mut self, x: Vec2, area: f64, h: f64) -> bool {
+        let w = self.window;
+        let radius = kernel::SUPPORT * h;
+        let cell =
+            |k: usize, v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, self.size[k] as f64);
+        let (i0, i1) = (
+            cell(0, x[0] - radius).ceil().max(0.0) as usize,
+            cell(0, x[0] + radius).floor(),
+        );
+        let (j0, j1) = (
+            cell(1, x[1] - radius).ceil().max(0.0) as usize,
+            cell(1, x[1] + radius).floor(),
+        );
+        if i1 < 0.0 || j1 < 0.0 {
+            return false;
+        }
+        let (i1, j1) = (
+            (i1 as usize).min(self.size[0] - 1),
+            (j1 as usize).min(self.size[1] - 1),
+        );
+        for j in j0..=j1 {
+            for i in i0..=i1 {
+                let c = self.centre(i, j);
+                let distance = (c[0] - x[0]).hypot(c[1] - x[1]);
+                self.colour[i + self.size[0] * j] += area * kernel::value(distance, h);
+            }
+        }
+        i0 <= i1 && j0 <= j1
+    }
+
+    fn centre(&self, i: usize, j: usize) -> Vec2 {
+        let w = self.window;
+        [
+            w.lower[0] + (i as f64 + 0.5) * w.cell,
+            w.lower[1] + (j as f64 + 0.5) * w.cell,
+        ]
+    }
+
+    /// Void volume of cell k, m3.
+    fn void(&self, k: usize) -> f64 {
+        let centre = self.centre(k % self.size[0], k / self.size[0]);
+        (1.0 - self.colour[k]) * self.window.cell.powi(2) * self.geometry.ring(centre[0])
+    }
+
+    /// Voids, largest first. Voids of less than `smallest` cells (noise between particles) are not counted.
+    #[must_use]
+    pub fn cavities(&self, smallest: usize) -> Vec<Cavity> {
+        let label = self.label();
+        let count = label.iter().copied().max().unwrap_or(0);
+        let mut cells = vec![0usize; count as usize + 1];
+        for l in &label {
+            cells[*l as usize] += 1;
+        }
+        let rim = self.rim(&label);
+        let mut found: Vec<Cavity> = (1..=count)
+            .filter(|l| cells[*l as usize] >= smallest)
+            .map(|l| self.measure(&label, &rim, l))
+            .collect();
+        found.sort_by(|a, b| b.volume.total_cmp(&a.volume));
+        found
+    }
+
+    /// Connected cells with colour below 1/2, numbered from 1; 0 elsewhere.
+    fn label(&self) -> Vec<u32> {
+        let mut label = vec![0; self.colour.len()];
+        let mut count = 0;
+        let mut stack = Vec::new();
+        for start in 0..self.colour.len() {
+            if self.colour[start] >= 0.5 || label[start] != 0 {
+                continue;
+            }
+            count += 1;
+            label[start] = count;
+            stack.push(start);
+            while let Some(k) = stack.pop() {
+                for next in self.beside(k) {
+                    if self.colour[next] < 0.5 && label[next] == 0 {
+                        label[next] = count;
+                        stack.push(next);
+                    }
+                }
+            }
+        }
+        label
+    }
+
+    fn beside(&self, k: usize) -> impl Iterator<Item = usize> {
+        let (nx, ny) = (self.size[0], self.size[1]);
+        let (i, j) = (k % nx, k / nx);
+        [
+            (i > 0).then(|| k - 1),
+            (i + 1 < nx).then(|| k + 1),
+            (j > 0).then(|| k - nx),
+            (j + 1 < ny).then(|| k + nx),
+        ]
+        .into_iter()
+        .flatten()
+    }
+
+    /// For every cell the void it belongs to or whose rim it is: labels spread over the support of the kernel.
+    fn rim(&self, label: &[u32]) -> Vec<u32> {
+        let mut rim = label.to_vec();
+        let mut front: Vec<usize> = (0..rim.len()).filter(|k| rim[*k] != 0).collect();
+        for _ in 0..self.reach {
+            let mut next = Vec::new();
+            for k in front {
+                for b in self.beside(k) {
+                    if rim[b] == 0 {
+                        rim[b] = rim[k];
+                        next.push(b);
+                    }
+                }
+            }
+            front = next;
+        }
+        rim
+    }
+
+    fn measure(&self, label: &[u32], rim: &[u32], which: u32) -> Cavity {
+        let (mut volume, mut moment) = (0.0, [0.0; 2]);
+        let (mut inner, mut extent) = (f64::INFINITY, [f64::INFINITY, f64::NEG_INFINITY]);
+        for k in 0..rim.len() {
+            let x = self.centre(k % self.size[0], k / self.size[0]);
+            if rim[k] == which {
+                let v = self.void(k);
+                volume += v;
+                moment = [moment[0] + v * x[0], moment[1] + v * x[1]];
+            }
+            if label[k] == which {
+                inner = inner.min(x[0]);
+                extent = [extent[0].min(x[1]), extent[1].max(x[1])];
+            }
+        }
+        let on_axis = self.geometry == Geometry::Axisymmetric && inner < self.window.cell;
+        let centre = [
+            if on_axis { 0.0 } else { moment[0] / volume },
+            moment[1] / volume,
+        ];
+        Cavity {
+            volume,
+            centre,
+            inner_radius: if on_axis { 0.0 } else { inner },
+            extent,
+        }
+    }
+
+    /// Radius of the void about `centre` along `rays` directions at equal polar angles from the upper pole (m): the radius r
+    /// with r^3/3 = integral of (1 - c) s^2 ds along the ray, out to the first place with c > 1 - `RIM` behind the surface.
+    #[must_use]
+    pub fn radii(&self, centre: Vec2, rays: usize) -> Vec<f64> {
+        (0..rays)
+            .map(|k| {
+                let angle = std::f64::consts::PI * (k as f64 + 0.5) / rays as f64;
+                self.radius_along(centre, [angle.sin(), angle.cos()])
+            })
+            .collect()
+    }
+
+    fn radius_along(&self, centre: Vec2, direction: Vec2) -> f64 {
+        let step = 0.25 * self.window.cell;
+        let (mut sum, mut behind) = (0.0, 0.0);
+        let mut k = 0.5;
+        while behind < self.reach as f64 * self.window.cell {
+            let s = k * step;
+            let Some(c) = self.at([centre[0] + s * direction[0], centre[1] + s * direction[1]])
+            else {
+                break;
+            };
+            sum += (1.0 - c) * s * s * step;
+            if c >= 0.5 {
+                behind += step;
+            }
+            k += 1.0;
+        }
+        (3.0 * sum.max(0.0)).cbrt()
+    }
+
+    /// Colour at a point, bilinear between cells; none outside the window.
+    fn at(&self, x: Vec2) -> Option<f64> {
+        let w = self.window;
+        let u = [0, 1].map(|k| (x[k] - w.lower[k]) / w.cell - 0.5);
+        if u[1] < 0.0 || u[0] >= (self.size[0] - 1) as f64 || u[1] >= (self.size[1] - 1) as f64 {
+            return None;
+        }
+        let u = [u[0].max(0.0), u[1]];
+        let (i, j) = (u[0] as usize, u[1] as usize);
+        let (f, g) = (u[0] - i as f64, u[1] - j as f64);
+        let c = |i: usize, j: usize| self.colour[i + self.size[0] * j];
+        Some(
+            (1.0 - g) * ((1.0 - f) * c(i, j) + f * c(i + 1, j))
+                + g * ((1.0 - f) * c(i, j + 1) + f * c(i + 1, j + 1)),
+        )
+    }
+}

@@ -1,0 +1,204 @@
+//! Ghosts: liquid particles mirrored at the axis, at rigid sides and at the surface of a solid.
+//!
+//! A ghost has the area and pressure of its source; velocity along the mirror is kept, across it reversed about the
+//! speed of the mirror. In this way the axis, a wall and a moving metal surface need no case of their own in the sums.
+
+use crate::fluid::Fluid;
+use crate::geometry::{Geometry, Vec2};
+
+/// A plane (line) in which particles are mirrored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// Unit normal pointing into the liquid.
+    pub normal: Vec2,
+    /// n . x on the plane, m.
+    pub offset: f64,
+    /// Speed of the plane along its normal, m/s.
+    pub speed: f64,
+}
+
+impl Plane {
+    /// Distance of a point from the plane, positive on the liquid side.
+    #[must_use]
+    pub fn distance(&self, x: Vec2) -> f64 {
+        self.normal[0] * x[0] + self.normal[1] * x[1] - self.offset
+    }
+
+    fn reflect(&self, x: Vec2, about: f64) -> Vec2 {
+        let d = self.normal[0] * x[0] + self.normal[1] * x[1] - about;
+        [
+            x[0] - 2.0 * d * self.normal[0],
+            x[1] - 2.0 * d * self.normal[1],
+        ]
+    }
+
+    /// Mirror image of a point.
+    #[must_use]
+    pub fn mirror(&self, x: Vec2) -> Vec2 {
+        self.reflect(x, self.offset)
+    }
+
+    /// Mirror image of a direction (shifting, acceleration).
+    #[must_use]
+    pub fn mirror_direction(&self, d: Vec2) -> Vec2 {
+        self.reflect(d, 0.0)
+    }
+
+    /// Mirror image of a tensor, Q g Q with Q = 1 - 2 n n.
+    #[must_use]
+    pub fn mirror_tensor(&self, g: [Vec2; 2]) -> [Vec2; 2] {
+        let columns = [0, 1].map(|j| self.mirror_direction([g[0][j], g[1][j]]));
+        [0, 1].map(|i| self.mirror_direction([columns[0][i], columns[1][i]]))
+    }
+
+    /// Mirror image of a velocity.
+    #[must_use]
+    pub fn mirror_velocity(&self, v: Vec2) -> Vec2 {
+        self.reflect(v, self.speed)
+    }
+}
+
+/// A wall of the liquid: finds the tangent plane nearest to a point.
+pub trait Wall: Sync {
+    /// Tangent plane at the foot of `x`; none when `x` is farther away than `reach`.
+    fn plane(&self, x: Vec2, reach: f64) -> Option<Plane>;
+
+    /// Whether it belongs to a body that the liquid pushes.
+    fn is_surface(&self) -> bool {
+        false
+    }
+}
+
+impl Wall for Plane {
+    fn plane(&self, x: Vec2, reach: f64) -> Option<Plane> {
+        (self.distance(x) < reach).then_some(*self)
+    }
+}
+
+/// Sources and planes of all ghosts; entry k is particle `n + k` of the extended arrays.
+#[derive(Debug, Clone, Default)]
+pub struct Ghosts {
+    /// Particle (or earlier ghost) that is mirrored.
+    pub source: Vec<u32>,
+    /// Plane in which it is mirrored.
+    pub plane: Vec<Plane>,
+    /// Wall that made the ghost or its source (index into the list of walls); `AXIS` for the axis alone.
+    pub wall: Vec<u32>,
+    /// Whether that wall belongs to a body that the liquid pushes.
+    pub surface: Vec<bool>,
+}
+
+/// Marks ghosts made by the symmetry axis.
+pub const AXIS: u32 = u32::MAX;
+
+/// A particle is mirrored when nearer than this many smoothing lengths: support 2 plus room for graded spacing.
+const REACH: f64 = 2.5;
+
+const AXIS_PLANE: Plane = Plane {
+    normal: [1.0, 0.0],
+    offset: 0.0,
+    speed: 0.0,
+};
+
+impl Ghosts {
+    /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too.
+    #[must_use]
+    pub fn find(fluid: &Fluid, walls: &[&dyn Wall]) -> Self {
+        let mut ghosts = Self::default();
+        let n = fluid.len();
+        for (w, wall) in walls.iter().enumerate() {
+            for a in 0..n {
+                let reach = REACH * fluid.smoothing_length[a];
+                if let Some(plane) = wall.plane(fluid.position[a], reach) {
+                    ghosts.push(a, plane, w as u32, wall.is_surface());
+                }
+            }
+        }
+        ghosts.mirror_corners(fluid, walls);
+        if fluid.geometry == Geometry::Axisymmetric {
+            let (count, position) = (
+                n + ghosts.source.len(),
+                ghosts.extend(&fluid.position, Plane::mirror),
+            );
+            for a in 0..count {
+                let h = fluid.smoothing_length[ghosts.particle(n, a)];
+                if position[a][0] < REACH * h {
+                    let of = a.checked_sub(n);
+                    let wall = of.map_or(AXIS, |k| ghosts.wall[k]);
+                    ghosts.push(a, AXIS_PLANE, wall, of.is_some_and(|k| ghosts.surface[k]));
+                }
+            }
+        }
+        ghosts
+    }
+
+    fn push(&mut self, source: usize, plane: Plane, wall: u32, surface: bool) {
+        self.surface.push(surface);
+        self.source.push(source as u32);
+        self.plane.push(plane);
+        self.wall.push(wall);
+    }
+
+    /// Ghosts of the first walls, mirrored once more in later walls, fill the corners.
+    fn mirror_corners(&mut self, fluid: &Fluid, walls: &[&dyn Wall]) {
+        let n = fluid.len();
+        for k in 0..self.source.len() {
+            let a = self.source[k] as usize;
+            let reach = REACH * fluid.smoothing_length[a];
+            for (w, wall) in walls.iter().enumerate().skip(self.wall[k] as usize + 1) {
+                if let Some(plane) = wall.plane(fluid.position[a], reach) {
+                    let surface = self.surface[k] || wall.is_surface();
+                    self.push(n + k, plane, w as u32, surface);
+                }
+            }
+        }
+    }
+
+    /// The same ghosts with the planes where the walls are now.
+    #[must_use]
+    pub fn refresh(&self, fluid: &Fluid, walls: &[&dyn Wall]) -> Self {
+        let mut ghosts = self.clone();
+        for k in 0..ghosts.source.len() {
+            let a = self.particle(fluid.len(), fluid.len() + k);
+            if self.plane[k] == AXIS_PLANE {
+                continue;
+            }
+            let wall = walls[self.wall[k] as usize];
+            if let Some(plane) = wall.plane(fluid.position[a], f64::INFINITY) {
+                ghosts.plane[k] = plane;
+            }
+        }
+        ghosts
+    }
+
+    /// Whether extended index `i` is a ghost at the surface of a body that the liquid pushes.
+    #[inline]
+    #[must_use]
+    pub fn is_surface(&self, n: usize, i: usize) -> bool {
+        i >= n && self.surface[i - n]
+    }
+
+    /// Particle at the root of extended index `i`.
+    #[must_use]
+    pub fn particle(&self, n: usize, mut i: usize) -> usize {
+        while i >= n {
+            i = self.source[i - n] as usize;
+        }
+        i
+    }
+
+    /// Real values followed by those of the ghosts, each made from its source by `image`.
+    pub fn extend<T: Copy>(&self, real: &[T], image: impl Fn(&Plane, T) -> T) -> Vec<T> {
+        let mut all = Vec::with_capacity(real.len() + self.source.len());
+        all.extend_from_slice(real);
+        for (source, plane) in self.source.iter().zip(&self.plane) {
+            all.push(image(plane, all[*source as usize]));
+        }
+        all
+    }
+
+    /// As [`Self::extend`] for values that mirroring does not change.
+    pub fn extend_even<T: Copy>(&self, real: &[T]) -> Vec<T> {
+        self.extend(real, |_, value| value)
+    }
+}

@@ -1,0 +1,34 @@
+//! Faces through which waves leave.
+//!
+//! t_n = nu' sigma_mm - rho c_l v_n,  t_t = -rho c_s v_t      (Lysmer and Kuhlemeyer 1969, with the first term added)
+//!
+//! nu' = lambda/(lambda + 2 mu) on the left and right faces: the lateral stress of a plane wave that runs along the face
+//! (m is the direction along it) is then held and the wave passes undisturbed. nu' = 0 on the bottom and top faces.
+//! Units: Pa, m/s. Range: elastic, angles of incidence below about 60 degrees.
+
+use super::surface::Surface;
+use crate::geometry::Vec2;
+use erode_physics::Sym3;
+use erode_physics::material_point::Material;
+
+/// Traction on an absorbing face from the state of the particle behind it, Pa.
+pub(super) fn traction(
+    material: &Material,
+    surface: &Surface,
+    stress: Sym3,
+    velocity: Vec2,
+) -> Vec2 {
+    let (elastic, density) = (material.elastic, material.density);
+    let normal = surface.side.normal_axis();
+    let held = if normal == 0 {
+        let lambda = elastic.lame_lambda();
+        lambda / (lambda + 2.0 * elastic.shear_modulus()) * stress.yy
+    } else {
+        0.0
+    };
+    let mut traction = [0.0; 2];
+    traction[normal] = held * surface.side.sign()
+        - density * elastic.longitudinal_speed(density) * velocity[normal];
+    traction[1 - normal] = -density * elastic.shear_speed(density) * velocity[1 - normal];
+    traction
+}

@@ -1,0 +1,148 @@
+//! The rectangle a solid fills in its reference configuration, and what acts on its four faces.
+
+use super::SolidError;
+use crate::geometry::{Geometry, Vec2};
+use serde::{Deserialize, Serialize};
+
+/// A face of the rectangle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// Smallest first coordinate.
+    Left,
+    /// Largest first coordinate.
+    Right,
+    /// Smallest second coordinate.
+    Bottom,
+    /// Largest second coordinate.
+    Top,
+}
+
+impl Side {
+    /// All four, in the order of their declaration.
+    pub const ALL: [Self; 4] = [Self::Left, Self::Right, Self::Bottom, Self::Top];
+
+    /// Coordinate (0 or 1) along the normal of the face.
+    #[must_use]
+    pub fn normal_axis(self) -> usize {
+        match self {
+            Self::Left | Self::Right => 0,
+            Self::Bottom | Self::Top => 1,
+        }
+    }
+
+    /// Sign of the outward normal on its axis.
+    #[must_use]
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Left | Self::Bottom => -1.0,
+            Self::Right | Self::Top => 1.0,
+        }
+    }
+}
+
+/// What acts on a face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Face {
+    /// Axis of rotation at r = 0: mirrored with a signed radius.
+    Axis,
+    /// Rigid wall without friction: mirrored.
+    Symmetry,
+    /// Pressure given by the caller, zero at first: a free surface.
+    Traction,
+    /// Waves leave (see `absorbing.rs`).
+    Absorbing,
+}
+
+impl Face {
+    /// Whether the particles beyond the face are mirror images that deform with the body.
+    #[must_use]
+    pub fn mirrors(self) -> bool {
+        matches!(self, Self::Axis | Self::Symmetry)
+    }
+}
+
+/// Reference rectangle with its four faces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Block {
+    /// Corner with the smallest coordinates, m.
+    pub lower: Vec2,
+    /// Corner with the largest coordinates, m.
+    pub upper: Vec2,
+    /// Condition on [`Side::Left`].
+    pub left: Face,
+    /// Condition on [`Side::Right`].
+    pub right: Face,
+    /// Condition on [`Side::Bottom`].
+    pub bottom: Face,
+    /// Condition on [`Side::Top`].
+    pub top: Face,
+}
+
+impl Block {
+    /// Condition on a face.
+    #[must_use]
+    pub fn face(&self, side: Side) -> Face {
+        match side {
+            Side::Left => self.left,
+            Side::Right => self.right,
+            Side::Bottom => self.bottom,
+            Side::Top => self.top,
+        }
+    }
+
+    /// Coordinate of a face along its normal axis, m.
+    #[must_use]
+    pub fn coordinate(&self, side: Side) -> f64 {
+        match side {
+            Side::Left | Side::Bottom => self.lower[side.normal_axis()],
+            Side::Right | Side::Top => self.upper[side.normal_axis()],
+        }
+    }
+
+    /// Distance of a point inside from a face, m.
+    #[must_use]
+    pub fn depth(&self, side: Side, point: Vec2) -> f64 {
+        (self.coordinate(side) - point[side.normal_axis()]) * side.sign()
+    }
+
+    /// Reflects a point in a face.
+    #[must_use]
+    pub fn reflect(&self, side: Side, mut point: Vec2) -> Vec2 {
+        let axis = side.normal_axis();
+        point[axis] = 2.0 * self.coordinate(side) - point[axis];
+        point
+    }
+
+    /// Checks the rectangle and its conditions.
+    ///
+    /// # Errors
+    /// If it is empty, not finite, crosses the axis, or has an axis where there is none.
+    pub fn check(&self, geometry: Geometry) -> Result<(), SolidError> {
+        let error = |why: &str| {
+            Err(SolidError::BadBlock {
+                block: *self,
+                why: why.to_owned(),
+            })
+        };
+        let size = [0, 1].map(|i| self.upper[i] - self.lower[i]);
+        if !size.iter().all(|s| s.is_finite() && *s > 0.0) {
+            return error("its upper corner must lie above and to the right of its lower corner");
+        }
+        if [self.right, self.bottom, self.top].contains(&Face::Axis) {
+            return error("only its left face can be the axis");
+        }
+        if geometry == Geometry::Axisymmetric {
+            if self.lower[0] < 0.0 {
+                return error("in axisymmetry r must not be negative");
+            }
+            if (self.lower[0] == 0.0) != (self.left == Face::Axis) {
+                return error("its left face must be the axis exactly when it lies at r = 0");
+            }
+        } else if self.left == Face::Axis {
+            return error("plane strain has no axis; use a symmetry face");
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,80 @@
+//! Energy ledger of a solid.
+//!
+//! kinetic + elastic + plastic work + viscous + hourglass = work of pressure + work of absorbing faces.
+//! The work of a face is taken at its deformed surface points, where the liquid sees it.
+
+use super::{Face, Solid};
+use crate::geometry::Vec2;
+
+/// Energies of a solid, J (of the whole ring in axisymmetry, per metre in plane strain).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energy {
+    /// Kinetic energy.
+    pub kinetic: f64,
+    /// Elastic energy tau:C^-1:tau/2 of the Kirchhoff stress tau = J sigma, per reference volume.
+    pub elastic: f64,
+    /// Plastic work.
+    pub plastic_work: f64,
+}
+
+impl Energy {
+    /// Sum of the three.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.elastic + self.plastic_work
+    }
+}
+
+impl Solid {
+    /// Energies now.
+    #[must_use]
+    pub fn energy(&self) -> Energy {
+        let mut energy = Energy {
+            kinetic: 0.0,
+            elastic: 0.0,
+            plastic_work: 0.0,
+        };
+        let s = &self.state;
+        for a in 0..self.len() {
+            let v = s.velocity[a];
+            let volume = self.reference.volume[a];
+            energy.kinetic += 0.5 * self.reference.mass[a] * (v[0] * v[0] + v[1] * v[1]);
+            energy.elastic += volume
+                * self
+                    .material
+                    .elastic
+                    .energy_density(s.stress[a] * self.volume_ratio(a));
+            energy.plastic_work += volume * s.plastic_work[a];
+        }
+        energy
+    }
+
+    /// Energy that the ledger misses, J: what is stored and dissipated less the work of the faces.
+    #[must_use]
+    pub fn energy_defect(&self) -> f64 {
+        let w = self.state.work;
+        self.energy().total() + w.viscous + w.hourglass - w.pressure - w.absorbing
+    }
+
+    /// Adds the work of one step to the ledger and moves the surface points along; call it after the closing kick of
+    /// a kick-drift-kick step of length `dt` (s), whose velocities make the powers second order in time.
+    pub fn account(&mut self, dt: f64) {
+        self.follow_surfaces();
+        let (velocity, mass) = (&self.state.velocity, &self.reference.mass);
+        let power = |part: &[Vec2]| -> f64 {
+            (part.iter().zip(velocity).zip(mass))
+                .map(|((a, v), m)| m * (a[0] * v[0] + a[1] * v[1]))
+                .sum()
+        };
+        let work = &mut self.state.work;
+        work.viscous -= dt * power(&self.scratch.viscous);
+        work.hourglass -= dt * power(&self.scratch.hourglass);
+        for surface in &self.surfaces {
+            let work = match surface.face {
+                Face::Absorbing => &mut work.absorbing,
+                _ => &mut work.pressure,
+            };
+            *work += dt * surface.power();
+        }
+    }
+}

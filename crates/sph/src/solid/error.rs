@@ -1,0 +1,101 @@
+//! What can go wrong with a solid.
+
+use super::block::{Block, Side};
+use crate::geometry::Vec2;
+use erode_physics::return_mapping::ReturnError;
+use thiserror::Error;
+
+/// Why a solid could not be built or advanced.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SolidError {
+    /// The reference rectangle makes no sense.
+    #[error("the block of the solid {block:?} is not usable: {why}")]
+    BadBlock {
+        /// The block.
+        block: Block,
+        /// The rule it breaks.
+        why: String,
+    },
+    /// Array lengths.
+    #[error(
+        "a solid needs as many areas as positions and at least one; got {positions} and {areas}"
+    )]
+    BadCount {
+        /// Positions given.
+        positions: usize,
+        /// Areas given.
+        areas: usize,
+    },
+    /// A particle outside the block or without area.
+    #[error(
+        "solid particle {particle} at {position:?} m with area {area} m2: it must lie inside the block, not on a face, \
+         and have a positive area"
+    )]
+    BadParticle {
+        /// Its index.
+        particle: usize,
+        /// Its reference position, m.
+        position: Vec2,
+        /// Its area, m2.
+        area: f64,
+    },
+    /// No gradient possible.
+    #[error(
+        "solid particle {particle} at {position:?} m has {neighbours} neighbours, which do not span a gradient; the \
+         body needs several particles across and areas that match their spacing"
+    )]
+    TooFewNeighbours {
+        /// Its index.
+        particle: usize,
+        /// Its reference position, m.
+        position: Vec2,
+        /// Neighbours and mirror images found.
+        neighbours: usize,
+    },
+    /// No particle near a face.
+    #[error(
+        "no particle lies within three quarters of its spacing of the {side:?} face of the solid"
+    )]
+    NoSurface {
+        /// The face.
+        side: Side,
+    },
+    /// A face whose particles cannot carry the traction.
+    #[error(
+        "the particles under the {side:?} face near {position:?} m take up {share} of its traction, not about 1: the \
+         first rows must follow the face, half a spacing beneath it"
+    )]
+    UnevenFace {
+        /// The face.
+        side: Side,
+        /// Point of the face, m.
+        position: Vec2,
+        /// Share transmitted before scaling.
+        share: f64,
+    },
+    /// A particle turned inside out.
+    #[error(
+        "solid particle {particle} at {position:?} m is turned inside out (volume ratio {volume_ratio}); the time step \
+         was too large or the load is beyond what the body can carry"
+    )]
+    Inverted {
+        /// Its index.
+        particle: usize,
+        /// Its position, m.
+        position: Vec2,
+        /// Present over reference volume.
+        volume_ratio: f64,
+    },
+    /// The stress could not be returned.
+    #[error(
+        "the stress of solid particle {particle} at {position:?} m could not be updated: {source}"
+    )]
+    Return {
+        /// Its index.
+        particle: usize,
+        /// Its position, m.
+        position: Vec2,
+        /// Why.
+        source: ReturnError,
+    },
+}

@@ -1,0 +1,200 @@
+//! Accelerations of a total Lagrangian solid.
+//!
+//! rho0 R_a a_a = sum_b A_b (R_a P_a L_a + R_b P_b L_b) grad_a W_ab - P_tt e_r,  P = J sigma F^-T, P_tt = J s_tt/F_tt
+//!
+//! Added in the same sum over real particles and mirror images, both weighted with the mean of |R_a| and |R_b|:
+//! viscosity on approach, alpha rho0 c_l h (v_ab.x_ab)/|X|^2 (dW/dX)/X x_ab   (Joshi 2018, eq. 5.22 with beta = 0, the
+//! reference distance in place of the present one), and the hourglass penalty
+//! zeta E W/|X|^2 [(F_a + F_b)/2 X_ab - x_ab], zero for every linear field.
+//!
+//! R is the signed radius in axisymmetry and 1 in plane strain. Units: SI.
+
+use super::images::Flux;
+use super::mat2::{Mat2, determinant, inverse, product, product_transposed, scaled};
+use super::reference::Reference;
+use super::stress::TASK;
+use super::{Face, Solid, absorbing};
+use crate::geometry::{Geometry, Vec2};
+use rayon::prelude::*;
+
+/// Copies for the gather loops: of particles, then of mirror images.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Scratch {
+    pub(super) position: Vec<Vec2>,
+    pub(super) velocity: Vec<Vec2>,
+    deformation: Vec<Mat2>,
+    /// R P L.
+    flux: Vec<Mat2>,
+    open_flux: Vec<Mat2>,
+    /// P_tt, zero in plane strain.
+    hoop: Vec<f64>,
+    pub(super) viscous: Vec<Vec2>,
+    pub(super) hourglass: Vec<Vec2>,
+}
+
+/// The three parts of an acceleration.
+#[derive(Default)]
+struct Parts {
+    total: Vec2,
+    viscous: Vec2,
+    hourglass: Vec2,
+}
+
+impl Scratch {
+    fn acceleration(&self, reference: &Reference, density: f64, a: usize) -> Parts {
+        let (x, v, f, q) = (
+            self.position[a],
+            self.velocity[a],
+            &self.deformation[a],
+            &self.flux[a],
+        );
+        let mut force = [0.0; 2];
+        let mut parts = Parts::default();
+        for p in reference.pairs_of(a) {
+            let b = p.neighbour as usize;
+            let (xb, vb, fb, qb) = (
+                self.position[b],
+                self.velocity[b],
+                &self.deformation[b],
+                &self.flux[b],
+            );
+            let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
+            let d = [x[0] - xb[0], x[1] - xb[1]];
+            let approach = ((v[0] - vb[0]) * d[0] + (v[1] - vb[1]) * d[1]).min(0.0) * p.viscous;
+            for i in 0..2 {
+                force[i] += (q[i][0] + qb[i][0]) * g[0] + (q[i][1] + qb[i][1]) * g[1];
+                let linear =
+                    0.5 * ((f[i][0] + fb[i][0]) * p.offset[0] + (f[i][1] + fb[i][1]) * p.offset[1]);
+                parts.viscous[i] += approach * d[i];
+                parts.hourglass[i] += p.hourglass * (linear - d[i]);
+            }
+        }
+        for p in reference.open_pairs_of(a) {
+            let qb = &self.open_flux[p.image as usize];
+            let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
+            for i in 0..2 {
+                force[i] += (q[i][0] + qb[i][0]) * g[0] + (q[i][1] + qb[i][1]) * g[1];
+            }
+        }
+        force[0] -= self.hoop[a];
+        let scale = 1.0 / (density * reference.weight[a]);
+        parts.total = [0, 1].map(|i| force[i] * scale + parts.viscous[i] + parts.hourglass[i]);
+        parts
+    }
+}
+
+impl Solid {
+    /// Positions of particles and mirror images for the gather loops.
+    pub(super) fn place_images(&mut self) {
+        let block = &self.block;
+        let position = &mut self.scratch.position;
+        position.clear();
+        position.extend_from_slice(&self.state.position);
+        for image in &self.reference.mirror_images {
+            position.push(image.place(block, self.state.position[image.source as usize]));
+        }
+    }
+
+    pub(super) fn move_images(&mut self) {
+        let velocity = &mut self.scratch.velocity;
+        velocity.clear();
+        velocity.extend_from_slice(&self.state.velocity);
+        for image in &self.reference.mirror_images {
+            velocity.push(image.turn(self.state.velocity[image.source as usize]));
+        }
+    }
+
+    /// Evaluates all accelerations at the present positions, stresses, velocities and pressures.
+    ///
+    /// In a kick-drift-kick step call it after [`Self::update_stress`]: the velocities are then those of the half step.
+    pub fn accelerations(&mut self) {
+        self.place_images();
+        self.move_images();
+        self.set_tractions();
+        self.fluxes();
+        let mut viscous = std::mem::take(&mut self.scratch.viscous);
+        let mut hourglass = std::mem::take(&mut self.scratch.hourglass);
+        viscous.resize(self.len(), [0.0; 2]);
+        hourglass.resize(self.len(), [0.0; 2]);
+        let (scratch, reference, density) = (&self.scratch, &self.reference, self.material.density);
+        (&mut self.state.acceleration, &mut viscous, &mut hourglass)
+            .into_par_iter()
+            .enumerate()
+            .with_min_len(TASK)
+            .for_each(|(a, (total, viscous, hourglass))| {
+                let parts = scratch.acceleration(reference, density, a);
+                (*total, *viscous, *hourglass) = (parts.total, parts.viscous, parts.hourglass);
+            });
+        (self.scratch.viscous, self.scratch.hourglass) = (viscous, hourglass);
+    }
+
+    fn set_tractions(&mut self) {
+        for surface in &mut self.surfaces {
+            for j in 0..surface.particle.len() {
+                let a = surface.particle[j];
+                surface.traction[j] = if surface.face == Face::Absorbing {
+                    let (stress, velocity) = (self.state.stress[a], self.state.velocity[a]);
+                    absorbing::traction(&self.material, surface, stress, velocity)
+                } else {
+                    let mut t = [0.0; 2];
+                    t[surface.side.normal_axis()] = -surface.pressure[j] * surface.side.sign();
+                    t
+                };
+            }
+        }
+    }
+
+    fn fluxes(&mut self) {
+        let (state, reference) = (&self.state, &self.reference);
+        let axisymmetric = self.geometry == Geometry::Axisymmetric;
+        let scratch = &mut self.scratch;
+        scratch.deformation.clear();
+        scratch.deformation.extend_from_slice(&state.deformation);
+        scratch.flux.resize(state.position.len(), [[0.0; 2]; 2]);
+        scratch.hoop.resize(state.position.len(), 0.0);
+        (&mut scratch.flux[..state.position.len()], &mut scratch.hoop)
+            .into_par_iter()
+            .enumerate()
+            .with_min_len(TASK)
+            .for_each(|(a, (flux, hoop))| {
+                let (f, stretch, s) = (
+                    &state.deformation[a],
+                    state.hoop_stretch[a],
+                    state.stress[a],
+                );
+                let inverse = inverse(f);
+                let area_ratio = determinant(f);
+                let nominal = product_transposed(&[[s.xx, s.xy], [s.xy, s.yy]], &inverse);
+                let weight = reference.weight[a] * area_ratio * stretch;
+                *flux = product(&scaled(&nominal, weight), &reference.full_correction[a]);
+                *hoop = if axisymmetric { area_ratio * s.zz } else { 0.0 };
+            });
+        self.image_fluxes(axisymmetric);
+    }
+
+    fn image_fluxes(&mut self, axisymmetric: bool) {
+        let (reference, block, surfaces) = (&self.reference, &self.block, &self.surfaces);
+        let scratch = &mut self.scratch;
+        let n = self.state.position.len();
+        scratch.flux.truncate(n);
+        let at = |image: &super::images::Image, flux: &[Mat2]| {
+            let b = image.source as usize;
+            let source = Flux {
+                flux: flux[b],
+                correction: reference.full_correction[b],
+                weight: reference.weight[b],
+            };
+            source.at_image(image, block, axisymmetric, surfaces)
+        };
+        for image in &reference.mirror_images {
+            let flux = at(image, &scratch.flux);
+            scratch.flux.push(flux);
+            let f = image.turn_matrix(scratch.deformation[image.source as usize]);
+            scratch.deformation.push(f);
+        }
+        scratch.open_flux.clear();
+        for image in &reference.open_images {
+            scratch.open_flux.push(at(image, &scratch.flux));
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! Total Lagrangian elastic-plastic solid, plane strain or axisymmetric.
+//!
+//! The body is a rectangle in its reference configuration, of any (also graded) spacing; neighbours and gradients are
+//! those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
+//! the same bits for any number of threads. Formulation and its measured errors: docs/equations.md.
+
+mod absorbing;
+mod block;
+mod energy;
+mod error;
+mod force;
+mod images;
+mod mat2;
+mod reference;
+mod search;
+mod state;
+mod step;
+mod stress;
+mod surface;
+
+pub use block::{Block, Face, Side};
+pub use energy::Energy;
+pub use error::SolidError;
+pub use mat2::Mat2;
+pub use reference::Reference;
+pub use state::{Field, State, Work};
+pub use step::StepLimit;
+pub use surface::Surface;
+
+use crate::geometry::{Geometry, Vec2};
+use crate::kernel;
+use erode_physics::material_point::Material;
+use serde::{Deserialize, Serialize};
+
+/// Numerical constants of the formulation; the defaults are the ones that were measured as best.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Numerics {
+    /// Smoothing length in units of the square root of the particle's area.
+    pub smoothing_ratio: f64,
+    /// Linear artificial viscosity alpha.
+    pub viscosity: f64,
+    /// Hourglass stiffness zeta.
+    pub hourglass: f64,
+    /// Stable step in units of spacing / longitudinal wave speed.
+    pub courant: f64,
+}
+
+impl Default for Numerics {
+    fn default() -> Self {
+        Self {
+            smoothing_ratio: 1.3,
+            viscosity: 1.0,
+            hourglass: 0.1,
+            courant: 0.4,
+        }
+    }
+}
+
+/// A solid body.
+#[derive(Debug, Clone)]
+pub struct Solid {
+    /// Plane strain or axisymmetric.
+    pub geometry: Geometry,
+    /// Reference rectangle and its faces.
+    pub block: Block,
+    /// Material.
+    pub material: Material,
+    /// Numerical constants.
+    pub numerics: Numerics,
+    /// Reference configuration.
+    pub reference: Reference,
+    /// What changes with time; replace it by a checkpoint's to resume (then call [`Self::follow_surfaces`]).
+    pub state: State,
+    /// Traction and absorbing faces.
+    pub surfaces: Vec<Surface>,
+    scratch: force::Scratch,
+}
+
+/// What a solid is made from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setup {
+    /// Plane strain or axisymmetric.
+    pub geometry: Geometry,
+    /// Reference rectangle and its faces.
+    pub block: Block,
+    /// Material.
+    pub material: Material,
+    /// Numerical constants.
+    pub numerics: Numerics,
+    /// Reference positions inside the rectangle, m.
+    pub position: Vec<Vec2>,
+    /// Area of each particle in the plane of motion, m2.
+    pub area: Vec<f64>,
+}
+
+impl Solid {
+    /// Builds the body at rest and free of stress.
+    ///
+    /// # Errors
+    /// If the block is wrong, a particle lies outside of it or has no positive area, or a particle has too few
+    /// neighbours for a gradient.
+    pub fn new(setup: Setup) -> Result<Self, SolidError> {
+        setup.check()?;
+        let Setup {
+            geometry,
+            block,
+            material,
+            numerics,
+            position,
+            area,
+        } = setup;
+        let reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
+        let surfaces = Side::ALL
+            .into_iter()
+            .filter(|&side| !block.face(side).mirrors())
+            .map(|side| Surface::new(geometry, &block, side, &reference))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut solid = Self {
+            state: State::at_rest(reference.position.clone(), material.temperature),
+            geometry,
+            block,
+            material,
+            numerics,
+            reference,
+            surfaces,
+            scratch: force::Scratch::default(),
+        };
+        solid.follow_surfaces();
+        Ok(solid)
+    }
+
+    /// Number of particles.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.state.position.len()
+    }
+
+    /// Whether there are no particles.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// J = present volume / reference volume of a particle.
+    #[must_use]
+    pub fn volume_ratio(&self, particle: usize) -> f64 {
+        mat2::determinant(&self.state.deformation[particle]) * self.state.hoop_stretch[particle]
+    }
+
+    /// Density of a particle, kg/m3.
+    #[must_use]
+    pub fn density(&self, particle: usize) -> f64 {
+        self.material.density / self.volume_ratio(particle)
+    }
+
+    /// The surface on a side, if that side is a traction or absorbing face.
+    #[must_use]
+    pub fn surface(&self, side: Side) -> Option<&Surface> {
+        self.surfaces.iter().find(|s| s.side == side)
+    }
+
+    /// The same, to set its pressure.
+    #[must_use]
+    pub fn surface_mut(&mut self, side: Side) -> Option<&mut Surface> {
+        self.surfaces.iter_mut().find(|s| s.side == side)
+    }
+
+    /// Moves the surface points to the present positions and velocities.
+    pub fn follow_surfaces(&mut self) {
+        self.move_images();
+        let (reference, velocity) = (&self.reference, &self.scratch.velocity);
+        for surface in &mut self.surfaces {
+            surface.follow(reference, &self.state, |a| {
+                stress::gradient(reference, velocity, a)
+            });
+        }
+    }
+}
+
+impl Setup {
+    fn check(&self) -> Result<(), SolidError> {
+        self.block.check(self.geometry)?;
+        if self.position.len() != self.area.len() || self.position.is_empty() {
+            return Err(SolidError::BadCount {
+                positions: self.position.len(),
+                areas: self.area.len(),
+            });
+        }
+        let largest = self.area.iter().fold(0.0, |m: f64, &a| m.max(a));
+        let support = kernel::SUPPORT * self.numerics.smoothing_ratio * largest.sqrt();
+        if (0..2).any(|k| self.block.upper[k] - self.block.lower[k] < support) {
+            return Err(SolidError::BadBlock {
+                block: self.block,
+                why: format!("it is thinner than the kernel of its largest particle, {support} m"),
+            });
+        }
+        for (particle, (&position, &area)) in self.position.iter().zip(&self.area).enumerate() {
+            let inside = Side::ALL
+                .iter()
+                .all(|&s| self.block.depth(s, position) > 0.0);
+            if !inside || !area.is_finite() || area <= 0.0 {
+                return Err(SolidError::BadParticle {
+                    particle,
+                    position,
+                    area,
+                });
+            }
+        }
+        Ok(())
+    }
+}

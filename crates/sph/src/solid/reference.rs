@@ -1,0 +1,200 @@
+//! Reference configuration: particles, their stored pairs and gradient corrections.
+//!
+//! Force gradient: L_full = (-sum A X (x) grad W)^-1 over real particles and all images, which on a uniform lattice is
+//! the constant 1/1.0105 of the cubic spline. Deformation gradient: L_own, the same over real particles and mirror
+//! images only, so that it is exact for linear fields at free faces too.
+
+use super::block::Block;
+use super::images::Image;
+use super::mat2::{Mat2, determinant, inverse};
+use super::search::Cloud;
+use super::{Numerics, SolidError};
+use crate::geometry::{Geometry, Vec2};
+use crate::kernel;
+use erode_physics::material_point::Material;
+
+/// One neighbour of a particle: real or a mirror image.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair {
+    /// Index among particles, then mirror images.
+    pub(super) neighbour: u32,
+    /// X_a - X_b, m.
+    pub(super) offset: Vec2,
+    /// A_b (dW/dX)/X: times `offset` it is A_b grad_a W.
+    pub(super) gradient: f64,
+    /// Coefficient of the viscous acceleration, see `force.rs`.
+    pub(super) viscous: f64,
+    /// Coefficient of the hourglass acceleration, see `force.rs`.
+    pub(super) hourglass: f64,
+}
+
+/// One open image that acts on a particle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OpenPair {
+    /// Index among open images.
+    pub(super) image: u32,
+    /// X_a - X_b, m.
+    pub(super) offset: Vec2,
+    /// A_b (dW/dX)/X.
+    pub(super) gradient: f64,
+}
+
+/// The body as it was at the start.
+#[derive(Debug, Clone)]
+pub struct Reference {
+    /// Position, m.
+    pub position: Vec<Vec2>,
+    /// Area in the plane of motion, m2.
+    pub area: Vec<f64>,
+    /// Smoothing length, m.
+    pub smoothing_length: Vec<f64>,
+    /// Volume of the ring (axisymmetry) or per metre (plane strain), m3.
+    pub volume: Vec<f64>,
+    /// Mass, kg.
+    pub mass: Vec<f64>,
+    /// R in axisymmetry, 1 in plane strain.
+    pub(super) weight: Vec<f64>,
+    pub(super) mirror_images: Vec<Image>,
+    pub(super) open_images: Vec<Image>,
+    pub(super) full_correction: Vec<Mat2>,
+    pub(super) own_correction: Vec<Mat2>,
+    pair_start: Vec<u32>,
+    pairs: Vec<Pair>,
+    open_start: Vec<u32>,
+    open_pairs: Vec<OpenPair>,
+}
+
+impl Reference {
+    pub(super) fn new(
+        geometry: Geometry,
+        block: &Block,
+        material: &Material,
+        numerics: &Numerics,
+        position: Vec<Vec2>,
+        area: Vec<f64>,
+    ) -> Result<Self, SolidError> {
+        let axisymmetric = geometry == Geometry::Axisymmetric;
+        let h: Vec<f64> = area
+            .iter()
+            .map(|a| numerics.smoothing_ratio * a.sqrt())
+            .collect();
+        let volume: Vec<f64> = (position.iter().zip(&area))
+            .map(|(x, a)| a * geometry.ring(x[0]))
+            .collect();
+        let (cloud, lists) = Cloud::with_neighbours(block, &position, &h);
+        let mut reference = Self {
+            weight: position
+                .iter()
+                .map(|x| if axisymmetric { x[0] } else { 1.0 })
+                .collect(),
+            mass: volume.iter().map(|v| v * material.density).collect(),
+            smoothing_length: h,
+            volume,
+            mirror_images: Vec::new(),
+            open_images: Vec::new(),
+            full_correction: Vec::new(),
+            own_correction: Vec::new(),
+            pair_start: vec![0],
+            pairs: Vec::new(),
+            open_start: vec![0],
+            open_pairs: Vec::new(),
+            position,
+            area,
+        };
+        for (a, list) in lists.iter().enumerate() {
+            reference.add_pairs(a, list, &cloud, material, numerics);
+        }
+        reference.mirror_images = cloud.mirror_images;
+        reference.open_images = cloud.open_images;
+        reference.correct()?;
+        Ok(reference)
+    }
+
+    /// Real neighbours and mirror images of a particle.
+    pub(super) fn pairs_of(&self, a: usize) -> &[Pair] {
+        &self.pairs[self.pair_start[a] as usize..self.pair_start[a + 1] as usize]
+    }
+
+    /// Open images that act on a particle.
+    pub(super) fn open_pairs_of(&self, a: usize) -> &[OpenPair] {
+        &self.open_pairs[self.open_start[a] as usize..self.open_start[a + 1] as usize]
+    }
+
+    fn add_pairs(
+        &mut self,
+        a: usize,
+        list: &[u32],
+        cloud: &Cloud,
+        material: &Material,
+        numerics: &Numerics,
+    ) {
+        let first_open = cloud.particles + cloud.mirror_images.len();
+        let speed = material.elastic.longitudinal_speed(material.density);
+        let stiffness = material.elastic.young_modulus / material.density;
+        for &j in list {
+            let source = cloud.source[j as usize] as usize;
+            let h = 0.5 * (self.smoothing_length[a] + cloud.smoothing_length[j as usize]);
+            let offset = [0, 1].map(|k| self.position[a][k] - cloud.points[j as usize][k]);
+            let square = offset[0] * offset[0] + offset[1] * offset[1];
+            let gradient = self.area[source] * kernel::gradient_factor(square.sqrt(), h);
+            if (j as usize) < first_open {
+                // The stabilisers are weighted with the mean of the two |R|: never negative, so that each dissipates.
+                let mean = 0.5 * (1.0 + self.weight[source] / self.weight[a]) / square;
+                let value = self.area[source] * kernel::value(square.sqrt(), h);
+                self.pairs.push(Pair {
+                    neighbour: j,
+                    offset,
+                    gradient,
+                    viscous: numerics.viscosity * speed * h * gradient * mean,
+                    hourglass: numerics.hourglass * stiffness * value * mean,
+                });
+            } else {
+                self.open_pairs.push(OpenPair {
+                    image: j - first_open as u32,
+                    offset,
+                    gradient,
+                });
+            }
+        }
+        self.pair_start.push(self.pairs.len() as u32);
+        self.open_start.push(self.open_pairs.len() as u32);
+    }
+
+    fn correct(&mut self) -> Result<(), SolidError> {
+        for a in 0..self.position.len() {
+            let mut moment = [[0.0; 2]; 2];
+            for p in self.pairs_of(a) {
+                add_moment(&mut moment, p.offset, p.gradient);
+            }
+            let own = self.checked_inverse(a, &moment)?;
+            for p in self.open_pairs_of(a) {
+                add_moment(&mut moment, p.offset, p.gradient);
+            }
+            let full = self.checked_inverse(a, &moment)?;
+            self.own_correction.push(own);
+            self.full_correction.push(full);
+        }
+        Ok(())
+    }
+
+    /// A moment is near the unit matrix inside and near half of it at a free edge, a quarter in a free corner.
+    fn checked_inverse(&self, a: usize, moment: &Mat2) -> Result<Mat2, SolidError> {
+        if determinant(moment) > 0.01 {
+            Ok(inverse(moment))
+        } else {
+            Err(SolidError::TooFewNeighbours {
+                particle: a,
+                position: self.position[a],
+                neighbours: self.pairs_of(a).len(),
+            })
+        }
+    }
+}
+
+fn add_moment(moment: &mut Mat2, offset: Vec2, gradient: f64) {
+    for i in 0..2 {
+        for j in 0..2 {
+            moment[i][j] -= offset[i] * offset[j] * gradient;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Time step of a solid on its own (kick, drift, kick) and its stable length.
+
+use super::{Solid, SolidError};
+use rayon::prelude::*;
+
+/// The stable step and what limits it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepLimit {
+    /// Largest stable step, s.
+    pub dt: f64,
+    /// Particle that limits it.
+    pub particle: usize,
+    /// What limits it.
+    pub reason: &'static str,
+}
+
+impl Solid {
+    /// Courant number x spacing / longitudinal wave speed of the reference configuration, which never changes.
+    #[must_use]
+    pub fn stable_time_step(&self) -> StepLimit {
+        let area = &self.reference.area;
+        let particle = (0..area.len())
+            .min_by(|&a, &b| area[a].total_cmp(&area[b]))
+            .unwrap_or(0);
+        let speed = self
+            .material
+            .elastic
+            .longitudinal_speed(self.material.density);
+        StepLimit {
+            dt: self.numerics.courant * area[particle].sqrt() / speed,
+            particle,
+            reason: "longitudinal wave in the solid",
+        }
+    }
+
+    /// Adds acceleration x `dt` to the velocities.
+    pub fn kick(&mut self, dt: f64) {
+        let s = &mut self.state;
+        (&mut s.velocity, &s.acceleration)
+            .into_par_iter()
+            .with_min_len(1024)
+            .for_each(|(v, a)| *v = [v[0] + dt * a[0], v[1] + dt * a[1]]);
+    }
+
+    /// Adds velocity x `dt` to the positions.
+    pub fn drift(&mut self, dt: f64) {
+        let s = &mut self.state;
+        (&mut s.position, &s.velocity)
+            .into_par_iter()
+            .with_min_len(1024)
+            .for_each(|(x, v)| *x = [x[0] + dt * v[0], x[1] + dt * v[1]]);
+    }
+
+    /// One step of a solid on its own, with its pressures held: kick, drift, stress, accelerations, kick, ledger.
+    ///
+    /// # Errors
+    /// As [`Self::update_stress`].
+    pub fn step(&mut self, dt: f64) -> Result<(), SolidError> {
+        self.kick(0.5 * dt);
+        self.drift(dt);
+        self.update_stress(dt)?;
+        self.accelerations();
+        self.kick(0.5 * dt);
+        self.account(dt);
+        Ok(())
+    }
+}
