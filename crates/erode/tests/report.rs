@@ -124,7 +124,7 @@ fn without_solid_and_without_bubble() {
         },
     );
     let html = page(&dir);
-    assert!(html.contains("This run has no solid with plastic strain."));
+    assert!(html.contains("This run has no solid with plastic strain"));
     assert!(html.contains("No wall pressure was recorded"));
     assert!(html.contains("Rayleigh"));
     let dir = folder("no-bubble");

@@ -110,6 +110,7 @@ impl Picture<'_> {
                 }
             }
         }
+        raster.open_voids();
         raster
     }
 

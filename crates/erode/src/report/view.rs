@@ -76,7 +76,11 @@ pub(crate) fn strained_view(bodies: &[Body], largest: f64) -> Option<View> {
         .min(all.z[1] - all.z[0]);
     Some(View {
         r: [-reach, reach],
-        z: [all.z[1] - depth, all.z[1] + 0.04 * depth],
+        // Enough above the surface to be seen as empty and not as a gap.
+        z: [
+            all.z[1] - depth,
+            all.z[1] + (0.04 * depth).max(2.0 * finest),
+        ],
     })
 }
 

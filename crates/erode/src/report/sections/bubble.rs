@@ -70,7 +70,13 @@ impl Theory {
         } = lookup::liquid_density(data);
         let curve = collapse_curve(start, pressure, density, 400);
         let lost = time_of(&curve, ARRIVED.cbrt() * start)?;
-        let begin = instants.arrival.map_or(0.0, |arrival| arrival - lost);
+        let (begin, placed) = match instants.arrival {
+            Some(arrival) => (
+                arrival - lost,
+                "placed so that both have lost 0.1 % of the volume at the same time",
+            ),
+            None => (0.0, "begun at the start of the run"),
+        };
         let end = radius.last()?[0];
         let curve: Vec<[f64; 2]> = curve
             .into_iter()
@@ -78,9 +84,8 @@ impl Theory {
             .take_while(|p| p[0] <= end)
             .collect();
         let words = format!(
-            "Rayleigh: empty sphere in an unbounded incompressible liquid at {}, density {}{}; collapse in {}, \
-             placed so that both have lost 0.1 % of the volume at the same time. It knows no wall, wave or jet: it shows \
-             the scale of time.",
+            "Rayleigh: empty sphere in an unbounded incompressible liquid at {}, density {}{}; collapse in {}, {placed}. \
+             It knows no wall, wave or jet: it shows the scale of time.",
             quantity(pressure, "Pa"),
             quantity(density, "kg/m3"),
             if assumed { " (assumed)" } else { "" },
