@@ -73,7 +73,7 @@ fn assert_offline(html: &str) {
     );
 }
 
-/// All: six instants, two of the velocity, the yielded region, the map of the wall pressure.
+/// All: seven instants, three of the velocity, the yielded region, the map of the wall pressure.
 fn pictures(html: &str) -> usize {
     html.matches("data:image/png;base64,").count()
 }
@@ -97,7 +97,7 @@ fn a_bubble_next_to_a_solid() {
     }
     // 0.914 68 R0 sqrt(rho / p) for 0.15 mm and 50 MPa.
     assert!(html.contains("collapse in 613.6 ns"));
-    assert_eq!(pictures(&html), 10);
+    assert_eq!(pictures(&html), 12);
     assert!(
         html.contains("Largest plastic strain 0.2500 %")
             || html.contains("Largest plastic strain 0.249")

@@ -13,7 +13,9 @@ pub(crate) struct Instants {
     pub(crate) arrival: Option<f64>,
     /// The bubble has a quarter of its volume.
     pub(crate) quarter: Option<f64>,
-    /// The bubble is smallest.
+    /// The jet closes the gap on the axis.
+    pub(crate) jet: Option<f64>,
+    /// The bubble is gone, or smallest.
     pub(crate) collapse: Option<f64>,
     /// The pressure at the wall is largest.
     pub(crate) impact: Option<f64>,
@@ -39,7 +41,8 @@ impl Instants {
         Self {
             arrival: falls_to(ARRIVED).filter(|time| *time > 0.03 * end),
             quarter: falls_to(0.25),
-            collapse: data.number("collapse_time").or(collapsed),
+            jet: data.number("jet_time"),
+            collapse: data.number("collapse_instant").or(collapsed),
             impact: largest_wall_pressure(data),
         }
     }
@@ -49,6 +52,7 @@ impl Instants {
         let all = [
             (self.arrival, "wave arrives"),
             (self.quarter, "quarter volume"),
+            (self.jet, "jet impact"),
             (self.collapse, "collapse"),
             (self.impact, "peak at the wall"),
         ];

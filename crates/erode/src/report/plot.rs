@@ -19,9 +19,11 @@ use super::svg::{Anchor, LABEL_SIZE, Svg, TICK_SIZE, text_width};
 use super::thin::thinned;
 use super::{ReportError, write_file};
 
-/// Colours of curves, told apart also by colour-blind readers (Okabe and Ito 2008, "Color universal design").
-pub const COLOURS: [&str; 7] = [
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#222222",
+/// Colours of curves; the first seven are told apart also by colour-blind readers (Okabe and Ito 2008, "Color universal
+/// design").
+pub const COLOURS: [&str; 9] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#222222", "#8c564b",
+    "#999999",
 ];
 
 /// How a series is drawn.

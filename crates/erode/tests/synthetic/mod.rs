@@ -74,11 +74,10 @@ fn summary(has: Has) -> String {
         value["units"][key] = unit.into();
     };
     if has.bubble {
-        set(
-            "collapse_time",
-            "s",
-            ARRIVAL + collapse_time(RADIUS, DRIVING, 1000.0),
-        );
+        let collapse = collapse_time(RADIUS, DRIVING, 1000.0);
+        set("collapse_time", "s", collapse);
+        set("collapse_instant", "s", ARRIVAL + collapse);
+        set("jet_time", "s", 0.92 * (ARRIVAL + collapse));
         set("jet_speed", "m/s", 812.0);
     }
     if has.solid {

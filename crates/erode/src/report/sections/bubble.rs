@@ -45,14 +45,42 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
         },
         |t| t.words,
     );
-    page.figures(&[
-        (volumes.to_svg(), "Volume of the bubble.".into()),
+    let mut figures = vec![
+        (volumes.to_svg(), "Volume of the bubble.".to_string()),
         (
             radii.to_svg(),
             format!("Radius of the sphere of the same volume. {about}"),
         ),
-    ]);
+    ];
+    figures.extend(MORE.iter().filter_map(|(name, label, unit, caption)| {
+        let points = data
+            .history_points(name)
+            .filter(|points| points.iter().any(|p| p[1].is_finite()))?;
+        let plot = Plot::new(Axis::new("time", "s"), Axis::new(label, unit)).line("", points);
+        let plot = instants
+            .named()
+            .into_iter()
+            .fold(plot, |plot, (time, name)| plot.event(time, name));
+        Some((plot.to_svg(), (*caption).to_string()))
+    }));
+    page.figures(&figures);
 }
+
+/// Column, axis label, unit and caption of curves that are shown where they were recorded.
+const MORE: [(&str, &str, &str, &str); 2] = [
+    (
+        "jet_speed",
+        "speed towards the wall",
+        "m/s",
+        "Speed of the liquid at the far side of the bubble on the axis, until the jet crosses the bubble.",
+    ),
+    (
+        "max_pressure",
+        "largest pressure",
+        "Pa",
+        "Largest pressure anywhere in the liquid.",
+    ),
+];
 
 struct Theory {
     curve: Vec<[f64; 2]>,

@@ -44,7 +44,10 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants, end: &
             state_picture(&title, view, &bodies, largest),
             caption(&bodies, view),
         ));
-        if words.contains("quarter") || words.contains("collapse") {
+        if ["quarter", "jet", "collapse"]
+            .iter()
+            .any(|name| words.contains(name))
+        {
             flows.extend(flow_picture(&title, view, &bodies));
         }
     }
