@@ -1,0 +1,3 @@
+//! The published formulation.
+
+mod rayleigh;
