@@ -1,3 +1,7 @@
 //! The front of Erode: case files, runs, reports.
 
+pub mod case;
+pub mod materials;
 pub mod output;
+pub mod report;
+pub mod run;

@@ -1,0 +1,100 @@
+//! Physics checks of a correct case: what will run, but may not mean much.
+
+use super::{
+    estimate::estimate,
+    simulation::{Body, BodyKind, Bubble, Side, Simulation},
+};
+
+/// Sentences about a case that a user should read before a long run.
+#[must_use]
+pub fn check_advice(simulation: &Simulation) -> Vec<String> {
+    let mut advice = Vec::new();
+    if let Some(bubble) = &simulation.bubble {
+        bubble_advice(simulation, bubble, &mut advice);
+    }
+    for body in &simulation.bodies {
+        interface_advice(simulation, body, &mut advice);
+    }
+    let safety = simulation.run.safety;
+    if safety > 0.5 {
+        advice.push(format!(
+            "run.safety = {safety} is above 0.5: the time step is probably unstable; 0.3 is tried"
+        ));
+    }
+    let e = estimate(simulation);
+    if simulation.run.max_steps.is_none() && simulation.run.end_time < 10.0 * e.step {
+        advice
+            .push("the run ends after less than 10 time steps: is run.end_time right?".to_owned());
+    }
+    let o = &simulation.output;
+    if simulation.run.end_time / o.fields_every > 2000.0 {
+        advice.push(format!(
+            "{:.0} field files will be written: is output.fields_every right?",
+            simulation.run.end_time / o.fields_every
+        ));
+    }
+    advice
+}
+
+fn bubble_advice(s: &Simulation, bubble: &Bubble, advice: &mut Vec<String>) {
+    for body in &s.bodies {
+        let BodyKind::Fluid(fluid) = &body.kind else {
+            continue;
+        };
+        let per_radius = bubble.radius / body.spacing.finest;
+        if per_radius < 9.999 {
+            advice.push(format!(
+                "{per_radius:.0} particles per bubble radius in `{}` show the collapse in outline only; 30 resolve it",
+                body.name
+            ));
+        }
+        let (l, u) = body.shape.bounding_box();
+        let edge = (u[0] - bubble.centre[0]).min(u[1] - bubble.centre[1]) / bubble.radius;
+        if edge < 4.0 {
+            advice.push(format!(
+                "`{}` ends {edge:.1} bubble radii from the bubble's centre: below 4 its edge acts on the collapse",
+                body.name
+            ));
+        }
+        let rayleigh =
+            0.915 * bubble.radius * (fluid.eos.reference_density / bubble.driving_pressure).sqrt();
+        let arrival = arrival_time(body, bubble, u[1] - l[1]);
+        if s.run.end_time < arrival + rayleigh {
+            advice.push(format!(
+                "the run ends at {:.3e} s, before the bubble can collapse (step arrives at {arrival:.3e} s, collapse takes {rayleigh:.3e} s)",
+                s.run.end_time
+            ));
+        }
+    }
+}
+
+/// When the first wave that enters through the top reaches the bubble, s; 0 without a wave.
+fn arrival_time(body: &Body, bubble: &Bubble, height: f64) -> f64 {
+    let (
+        Side::NonReflecting {
+            wave: Some(wave), ..
+        },
+        BodyKind::Fluid(fluid),
+    ) = (&body.sides.top, &body.kind)
+    else {
+        return 0.0;
+    };
+    let (lower, _) = body.shape.bounding_box();
+    let path = (lower[1] + height - bubble.centre[1] - bubble.radius).max(0.0);
+    wave.start + path / fluid.eos.sound_speed
+}
+
+/// Spacings on both sides of an interface should be alike.
+fn interface_advice(s: &Simulation, body: &Body, advice: &mut Vec<String>) {
+    let (BodyKind::Fluid(_), Side::Interface { with }) = (&body.kind, &body.sides.bottom) else {
+        return;
+    };
+    let Some(other) = s.body(with) else { return };
+    let ratio = other.spacing.finest / body.spacing.finest;
+    if !(0.6..=1.7).contains(&ratio) {
+        advice.push(format!(
+            "the spacings of `{}` and `{with}` differ by a factor of {ratio:.2} at their interface",
+            body.name
+        ));
+    }
+}

@@ -1,0 +1,191 @@
+//! From checked values to the simulation: setups expand, then everything is checked against everything else.
+
+use super::{
+    body::{self, Built},
+    error::{Findings, Span},
+    estimate,
+    node::{Fields, Node},
+    relations,
+    setups::{self, Expansion},
+    simulation::{Bubble, Output, Probe, Run, Simulation},
+};
+use crate::materials::Library;
+use erode_sph::Geometry;
+
+/// Builds the simulation; nothing when an error keeps a part of it from existing.
+///
+/// Where an error leaves a choice open, its default stands in, so that what follows is still checked.
+pub(crate) fn simulation(
+    root: &Node,
+    library: &mut Library,
+    findings: &mut Findings,
+) -> Option<Simulation> {
+    let f = root.fields()?;
+    for (name, material) in f.table("material").map_or(&[][..], |t| t.entries) {
+        library.add(name, material);
+    }
+    let geometry = match f.chosen("geometry") {
+        Some(("plane", _)) => Geometry::Plane,
+        _ => Geometry::Axisymmetric,
+    };
+    let setup = f.chosen("setup");
+    let setup = setup.and_then(|(name, s)| setups::expand(name, s, geometry, library, findings));
+    let run = run(f, setup.as_ref(), findings);
+    let (bodies, complete) = bodies(f, setup.as_ref(), geometry, library, findings);
+    let of_setup = setup.as_ref().map(|s| s.bubble);
+    let bubble = own_bubble(f, &bodies, of_setup, complete, findings).or(of_setup);
+    let probes = probes(f, &bodies, complete, findings);
+    relations::check(&bodies, complete, geometry, findings);
+    estimate::check_memory(&bodies, geometry, findings);
+    let title = f.text("title")?;
+    let title = setup
+        .filter(|_| title.is_empty())
+        .map_or_else(|| title.to_owned(), |s| s.title);
+    let run = run?;
+    let output = output(f, run.end_time)?;
+    let bodies = bodies.into_iter().map(|b| b.body).collect();
+    Some(Simulation {
+        title,
+        geometry,
+        bodies,
+        run,
+        output,
+        probes,
+        bubble,
+    })
+}
+
+/// The bodies of the setup and of the file, and whether none is missing because of an error.
+fn bodies(
+    f: Fields<'_>,
+    setup: Option<&Expansion>,
+    geometry: Geometry,
+    library: &Library,
+    findings: &mut Findings,
+) -> (Vec<Built>, bool) {
+    let own = f.list("body");
+    if f.node("setup").is_none() && f.node("body").is_none() {
+        let help = "write [setup.bubble_near_wall], [setup.bubble_in_liquid] or [[body]] blocks; `erode new` has templates";
+        findings.error(
+            f.span,
+            "the case has neither a setup nor a body",
+            "nothing to compute",
+            help,
+        );
+    }
+    let mut bodies = setup.map(|s| s.bodies.clone()).unwrap_or_default();
+    let expected = bodies.len() + own.len();
+    bodies.extend(
+        own.iter()
+            .filter_map(|b| body::read(b, geometry, library, findings)),
+    );
+    let setup_failed = f.node("setup").is_some() && setup.is_none();
+    let complete = bodies.len() == expected && !setup_failed;
+    (bodies, complete)
+}
+
+fn run(f: Fields<'_>, setup: Option<&Expansion>, findings: &mut Findings) -> Option<Run> {
+    let r = f.table("run")?;
+    if r.node("end_time").is_none() && f.node("setup").is_none() {
+        let help =
+            "only a setup knows how long its process takes; write for example end_time = \"2 us\"";
+        findings.error(r.span, "[run] lacks `end_time`", "needed here", help);
+    }
+    let end_time = match r.node("end_time") {
+        Some(_) => r.number("end_time"),
+        None => setup.map(|s| s.end_time),
+    };
+    let safety = r.number("safety")?;
+    let max_steps = match r.node("max_steps") {
+        Some(_) => Some(r.number("max_steps")?),
+        None => None,
+    };
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    // checked to be a whole number below 2^53
+    Some(Run {
+        end_time: end_time?,
+        safety,
+        max_steps: max_steps.map(|x| x as u64),
+    })
+}
+
+fn output(f: Fields<'_>, end_time: f64) -> Option<Output> {
+    let interval = |table: &str, key: &str, parts: f64| {
+        let t = f.table(table)?;
+        if t.node(key).is_some() {
+            t.number(key)
+        } else {
+            Some(end_time / parts)
+        }
+    };
+    Some(Output {
+        fields_every: interval("output", "fields_every", 40.0)?,
+        history_every: interval("output", "history_every", 1000.0)?,
+        checkpoint_every: interval("checkpoint", "every", 20.0)?,
+    })
+}
+
+fn own_bubble(
+    f: Fields<'_>,
+    bodies: &[Built],
+    of_setup: Option<Bubble>,
+    complete: bool,
+    findings: &mut Findings,
+) -> Option<Bubble> {
+    let b = f.table("bubble")?;
+    if of_setup.is_some() {
+        let help =
+            "leave [bubble] out, or write the bodies out as `erode check --resolved` shows them";
+        findings.error(
+            b.span,
+            "the setup already tells where the bubble is",
+            "told twice",
+            help,
+        );
+        return None;
+    }
+    let wall_distance = match b.node("wall_distance") {
+        Some(_) => Some(b.number("wall_distance")?),
+        None => None,
+    };
+    let bubble = Bubble {
+        centre: b.pair("centre")?,
+        radius: b.number("radius")?,
+        wall_distance,
+        driving_pressure: b.number("driving_pressure")?,
+    };
+    if complete {
+        relations::check_bubble(&bubble, bodies, b.at("centre"), findings);
+    }
+    Some(bubble)
+}
+
+fn probes(f: Fields<'_>, bodies: &[Built], complete: bool, findings: &mut Findings) -> Vec<Probe> {
+    let mut probes: Vec<(Probe, Span)> = Vec::new();
+    for node in f.list("probe") {
+        let Some(p) = node.fields() else { continue };
+        let (name, body, position) = (p.text("name"), p.text("body"), p.pair("position"));
+        let (Some(name), Some(body), Some(position)) = (name, body, position) else {
+            continue;
+        };
+        if probes.iter().any(|(other, _)| other.name == name) {
+            let help = "each probe writes a file of its name";
+            findings.error(
+                p.at("name"),
+                format!("there are two probes called `{name}`"),
+                "used twice",
+                help,
+            );
+        }
+        let probe = Probe {
+            name: name.to_owned(),
+            body: body.to_owned(),
+            position,
+        };
+        if complete {
+            relations::check_probe(&probe, bodies, p.at("body"), p.at("position"), findings);
+        }
+        probes.push((probe, p.span));
+    }
+    probes.into_iter().map(|(probe, _)| probe).collect()
+}

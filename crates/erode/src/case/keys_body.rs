@@ -1,0 +1,227 @@
+//! The keys of `[[body]]`.
+
+use super::{
+    keys::ANY_PRESSURE,
+    keys_material::{ELASTIC, STRENGTH, TAIT},
+    keys_region::{SHAPE, SIDES},
+    schema::{
+        Kind::{List, Name, Pair, Property, Quantity, Switch, Table as Nested, Text},
+        Range::{NotNegative, Positive, Within},
+        Table, default, optional, required, table,
+    },
+    units::{DENSITY, LENGTH, NUMBER, VELOCITY},
+};
+
+pub(crate) static BODY: Table = Table {
+    about: "a region filled with particles of one material",
+    keys: &[
+        required("name", Name, "unique name"),
+        optional("fluid", Nested(&FLUID), "the body is a liquid"),
+        optional(
+            "solid",
+            Nested(&SOLID),
+            "the body is an elastic-plastic solid",
+        ),
+        required("shape", Nested(&SHAPE), "region"),
+        optional("hole", List(&SHAPE), "a region left empty"),
+        required("spacing", Nested(&SPACING), "particle spacing"),
+        optional(
+            "sides",
+            Nested(&SIDES),
+            "what lies behind the four sides of a rectangle",
+        ),
+    ],
+    one_of: &["fluid", "solid"],
+};
+
+static FLUID: Table = table(
+    "a compressible liquid",
+    &[
+        required("material", Text, "name in the material library"),
+        optional(
+            "tait",
+            Nested(&TAIT),
+            "constants that replace those of the material",
+        ),
+        default("pressure", ANY_PRESSURE, "0", "pressure at the start"),
+        default("velocity", Pair(VELOCITY), "0", "velocity at the start"),
+        default(
+            "formulation",
+            Nested(&FLUID_FORMULATION),
+            "corrected",
+            "discrete form",
+        ),
+    ],
+);
+
+pub(crate) static FLUID_FORMULATION: Table = Table {
+    about: "discrete form of a liquid",
+    keys: &[
+        optional(
+            "corrected",
+            Nested(&CORRECTED),
+            "corrected divergence, Riemann pair values, shifting",
+        ),
+        optional(
+            "joshi",
+            Nested(&JOSHI_FLUID),
+            "as published (Joshi 2018): summation density, artificial viscosity",
+        ),
+    ],
+    one_of: &["corrected", "joshi"],
+};
+
+static CORRECTED: Table = table(
+    "corrected divergence, Riemann pair values, shifting that carries mass",
+    &[default(
+        "shifting",
+        Quantity(NUMBER, NotNegative),
+        "10",
+        "strength k of the shifting velocity",
+    )],
+);
+
+static JOSHI_FLUID: Table = table(
+    "as published (Joshi 2018): summation density with f1, artificial viscosity",
+    &[
+        default(
+            "alpha",
+            Quantity(NUMBER, NotNegative),
+            "1",
+            "linear artificial viscosity",
+        ),
+        default(
+            "beta",
+            Quantity(NUMBER, NotNegative),
+            "2",
+            "quadratic artificial viscosity",
+        ),
+    ],
+);
+
+static SOLID: Table = table(
+    "an elastic-plastic solid",
+    &[
+        required("material", Text, "name in the material library"),
+        optional(
+            "density",
+            Property(DENSITY, Positive),
+            "density; replaces the material's",
+        ),
+        optional(
+            "elastic",
+            Nested(&ELASTIC),
+            "constants that replace those of the material",
+        ),
+        optional(
+            "strength",
+            Nested(&STRENGTH),
+            "yield law that replaces that of the material",
+        ),
+        default(
+            "strain_rate",
+            Switch,
+            "true",
+            "whether the yield stress grows with the strain rate",
+        ),
+        default(
+            "thermal_softening",
+            Switch,
+            "false",
+            "whether the yield stress falls as plastic work heats the body",
+        ),
+        default("velocity", Pair(VELOCITY), "0", "velocity at the start"),
+        default(
+            "formulation",
+            Nested(&SOLID_FORMULATION),
+            "total_lagrangian",
+            "discrete form",
+        ),
+    ],
+);
+
+pub(crate) static SOLID_FORMULATION: Table = Table {
+    about: "discrete form of a solid",
+    keys: &[
+        optional(
+            "total_lagrangian",
+            Nested(&TOTAL_LAGRANGIAN),
+            "neighbours and gradients of the reference configuration",
+        ),
+        optional(
+            "joshi",
+            Nested(&JOSHI_SOLID),
+            "as published (Joshi 2018): updated configuration",
+        ),
+    ],
+    one_of: &["total_lagrangian", "joshi"],
+};
+
+static TOTAL_LAGRANGIAN: Table = table(
+    "neighbours and gradients of the reference configuration",
+    &[
+        default(
+            "viscosity",
+            Quantity(NUMBER, NotNegative),
+            "1",
+            "linear viscosity on approach",
+        ),
+        default(
+            "hourglass",
+            Quantity(NUMBER, NotNegative),
+            "0.1",
+            "penalty on motion that the gradient does not see",
+        ),
+    ],
+);
+
+static JOSHI_SOLID: Table = table(
+    "as published (Joshi 2018): updated configuration",
+    &[
+        default(
+            "alpha",
+            Quantity(NUMBER, NotNegative),
+            "1",
+            "linear artificial viscosity",
+        ),
+        default(
+            "beta",
+            Quantity(NUMBER, NotNegative),
+            "2",
+            "quadratic artificial viscosity",
+        ),
+        default(
+            "xsph",
+            Quantity(NUMBER, Within(0.0, 1.0)),
+            "0",
+            "share of the neighbours' velocity in the motion",
+        ),
+    ],
+);
+
+static SPACING: Table = table(
+    "particle spacing",
+    &[
+        required(
+            "finest",
+            Quantity(LENGTH, Positive),
+            "spacing inside the core",
+        ),
+        optional(
+            "coarsest",
+            Quantity(LENGTH, Positive),
+            "largest spacing; `finest` when absent",
+        ),
+        default(
+            "growth",
+            Quantity(NUMBER, Within(0.0, 0.2)),
+            "0.06",
+            "increase of spacing per distance from the core",
+        ),
+        optional(
+            "core",
+            Nested(&SHAPE),
+            "where the spacing is finest; everywhere when absent",
+        ),
+    ],
+);

@@ -1,0 +1,43 @@
+//! Case files: from the user's TOML to a checked [`Simulation`] in SI units.
+//!
+//! The way of a text: `raw` (TOML with places) -> `overrides` (`--set`) -> `check` against the one list of keys
+//! (`keys`, `keys_body`, `keys_material`) -> `build` (setups expand, bodies, relations between them) -> [`Simulation`].
+//! Each stage records all its errors and goes on with what is right.
+
+mod advice;
+mod body;
+mod build;
+pub(crate) mod check;
+mod check_blocks;
+mod check_value;
+pub(crate) mod error;
+pub mod estimate;
+mod json_schema;
+mod keys;
+mod keys_body;
+pub(crate) mod keys_material;
+mod keys_region;
+mod laws;
+pub(crate) mod load;
+pub(crate) mod node;
+mod overrides;
+pub(crate) mod raw;
+mod relations;
+mod resolved;
+mod resolved_items;
+mod schema;
+mod setups;
+mod simulation;
+mod suggest;
+#[cfg(test)]
+mod tests;
+mod units;
+
+pub use advice::check_advice;
+pub use error::{CaseError, CaseErrors};
+pub use json_schema::json_schema;
+pub use load::{Case, Loaded};
+pub use simulation::{
+    Body, BodyKind, Bubble, Fluid, FluidFormulation, Output, Probe, Run, Side, Sides, Simulation,
+    Solid, SolidFormulation, Wave,
+};

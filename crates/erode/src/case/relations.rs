@@ -1,0 +1,244 @@
+//! What bodies must satisfy together.
+
+use super::{
+    body::{Built, named},
+    error::{Findings, Span},
+    simulation::{BodyKind, Bubble, Probe, Side},
+    suggest::did_you_mean,
+};
+use erode_sph::{Geometry, shapes::Shape};
+
+/// Checks names, holes, interfaces and overlaps. With `complete` false some bodies are missing because of errors.
+pub(crate) fn check(bodies: &[Built], complete: bool, geometry: Geometry, findings: &mut Findings) {
+    for (i, b) in bodies.iter().enumerate() {
+        if bodies[..i]
+            .iter()
+            .any(|other| other.body.name == b.body.name)
+        {
+            let message = format!("there are two bodies called `{}`", b.body.name);
+            findings.error(b.at, message, "used twice", "give each body its own name");
+        }
+        check_fill(b, geometry, findings);
+        check_holes(b, findings);
+        if complete {
+            check_interfaces(b, bodies, findings);
+        }
+        for other in &bodies[..i] {
+            check_overlap(other, b, findings);
+        }
+    }
+}
+
+/// A body needs room for some particles.
+fn check_fill(b: &Built, geometry: Geometry, findings: &mut Findings) {
+    let (mut lower, upper) = b.body.shape.bounding_box();
+    if geometry == Geometry::Axisymmetric {
+        lower[0] = lower[0].max(0.0);
+    }
+    let smallest = (upper[0] - lower[0]).min(upper[1] - lower[1]);
+    let finest = b.body.spacing.finest;
+    if finest * 2.0 > smallest {
+        let message = format!(
+            "the spacing {finest} m does not fit into `{}`, which is {smallest} m thin",
+            b.body.name
+        );
+        let help = "at least two particles must fit across a body; ten are needed for a result";
+        findings.error(b.resolution, message, "too coarse", help);
+    }
+}
+
+fn check_holes(b: &Built, findings: &mut Findings) {
+    for (i, (hole, span)) in b.body.holes.iter().zip(&b.holes).enumerate() {
+        if area_shared(hole, &b.body.shape) == 0.0 {
+            let message = format!("the hole lies outside `{}`", b.body.name);
+            findings.error(*span, message, "cuts nothing", extent_help(b));
+        }
+        for other in &b.body.holes[..i] {
+            if area_shared(hole, other) > 0.0 {
+                let message = format!("two holes of `{}` overlap", b.body.name);
+                findings.error(
+                    *span,
+                    message,
+                    "overlaps an earlier hole",
+                    "holes may touch, not overlap",
+                );
+            }
+        }
+    }
+}
+
+/// Shared area, m2; zero where shapes only touch, up to rounding.
+fn area_shared(a: &Shape, b: &Shape) -> f64 {
+    let shared = a.overlap_area(b);
+    if shared > 1e-9 * a.area().min(b.area()) {
+        shared
+    } else {
+        0.0
+    }
+}
+
+fn extent_help(b: &Built) -> String {
+    let (l, u) = b.body.shape.bounding_box();
+    format!(
+        "`{}` reaches from ({}, {}) m to ({}, {}) m",
+        b.body.name, l[0], l[1], u[0], u[1]
+    )
+}
+
+fn check_overlap(a: &Built, b: &Built, findings: &mut Findings) {
+    let (sa, sb) = (&a.body.shape, &b.body.shape);
+    let in_a_hole = a.body.holes.iter().any(|h| encloses(h, sb))
+        || b.body.holes.iter().any(|h| encloses(h, sa));
+    if in_a_hole || area_shared(sa, sb) == 0.0 {
+        return;
+    }
+    let message = format!("the bodies `{}` and `{}` overlap", a.body.name, b.body.name);
+    let help = format!(
+        "bodies may touch, not overlap: {}, {}",
+        extent_help(a),
+        extent_help(b)
+    );
+    findings.error(b.at, message, "overlaps an earlier body", help);
+}
+
+/// Whether `inner` lies in `outer` as a whole.
+fn encloses(outer: &Shape, inner: &Shape) -> bool {
+    area_shared(outer, inner) >= inner.area() * (1.0 - 1e-9)
+}
+
+/// Left, right, bottom, top: the side on the other side of an interface.
+const FACING: [usize; 4] = [1, 0, 3, 2];
+
+fn check_interfaces(b: &Built, bodies: &[Built], findings: &mut Findings) {
+    for (k, (side_name, side)) in named(&b.body.sides).into_iter().enumerate() {
+        let Side::Interface { with } = side else {
+            continue;
+        };
+        let span = b.sides[k];
+        let Some(other) = bodies
+            .iter()
+            .find(|o| o.body.name == *with && o.body.name != b.body.name)
+        else {
+            let names = bodies
+                .iter()
+                .map(|o| o.body.name.as_str())
+                .filter(|n| *n != b.body.name);
+            let message = format!(
+                "`{}` has an interface with `{with}`, which is no other body",
+                b.body.name
+            );
+            findings.error(
+                span,
+                message,
+                "no such body",
+                did_you_mean(with, names, "other bodies"),
+            );
+            continue;
+        };
+        check_interface(b, k, side_name, other, span, findings);
+    }
+}
+
+fn check_interface(
+    b: &Built,
+    k: usize,
+    side_name: &str,
+    other: &Built,
+    span: Span,
+    findings: &mut Findings,
+) {
+    let (own, name) = (&b.body.name, &other.body.name);
+    let (facing_name, facing) = named(&other.body.sides)[FACING[k]];
+    if !matches!(facing, Side::Interface { with } if with == own) {
+        let message = format!(
+            "the {side_name} side of `{own}` meets `{name}`, but the {facing_name} side of `{name}` does not meet `{own}`"
+        );
+        let help =
+            format!("write [body.sides.{facing_name}.interface] with = \"{own}\" in `{name}`");
+        findings.error(span, message, "one-sided interface", help);
+    }
+    let both = (&b.body.kind, &other.body.kind);
+    if !matches!(
+        both,
+        (BodyKind::Fluid(_), BodyKind::Solid(_)) | (BodyKind::Solid(_), BodyKind::Fluid(_))
+    ) {
+        let message = format!("`{own}` and `{name}` are of the same kind");
+        findings.error(
+            span,
+            message,
+            "cannot be an interface",
+            "an interface joins a liquid and a solid",
+        );
+    }
+    let edge = |x: &Built, side: usize| {
+        let (l, u) = x.body.shape.bounding_box();
+        [l[0], u[0], l[1], u[1]][side]
+    };
+    let gap = edge(b, k) - edge(other, FACING[k]);
+    if gap.abs() > 1e-6 * b.body.spacing.finest {
+        let message = format!(
+            "there is a gap of {} m between `{own}` and `{name}`",
+            gap.abs()
+        );
+        findings.error(
+            span,
+            message,
+            "the sides must coincide",
+            format!("{}; {}", extent_help(b), extent_help(other)),
+        );
+    }
+}
+
+/// A probe needs a body, and must lie in it or on its edge.
+pub(crate) fn check_probe(
+    probe: &Probe,
+    bodies: &[Built],
+    body_at: Span,
+    position_at: Span,
+    findings: &mut Findings,
+) {
+    let Some(b) = bodies.iter().find(|b| b.body.name == probe.body) else {
+        let names = bodies.iter().map(|b| b.body.name.as_str());
+        let message = format!(
+            "the probe `{}` asks for a body `{}` that does not exist",
+            probe.name, probe.body
+        );
+        findings.error(
+            body_at,
+            message,
+            "no such body",
+            did_you_mean(&probe.body, names, "bodies"),
+        );
+        return;
+    };
+    if b.body.shape.distance(probe.position) > 0.5 * b.body.spacing.finest {
+        let message = format!("the probe `{}` lies outside `{}`", probe.name, probe.body);
+        findings.error(position_at, message, "outside", extent_help(b));
+    }
+}
+
+/// The bubble must be in a liquid.
+pub(crate) fn check_bubble(bubble: &Bubble, bodies: &[Built], at: Span, findings: &mut Findings) {
+    let disc = Shape::Disc {
+        centre: bubble.centre,
+        radius: bubble.radius,
+    };
+    let liquids: Vec<&Built> = bodies
+        .iter()
+        .filter(|b| matches!(b.body.kind, BodyKind::Fluid(_)))
+        .collect();
+    if !liquids
+        .iter()
+        .any(|b| area_shared(&disc, &b.body.shape) > 0.0)
+    {
+        let help = liquids
+            .first()
+            .map_or_else(|| "there is no liquid".to_owned(), |b| extent_help(b));
+        findings.error(
+            at,
+            "the bubble lies outside the liquid",
+            "no liquid here",
+            help,
+        );
+    }
+}

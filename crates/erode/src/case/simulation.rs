@@ -1,0 +1,224 @@
+//! What a run needs: a case after checking, every default filled in, SI throughout.
+
+use erode_physics::{Elastic, eos::Tait, strength::Strength};
+use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
+use serde::{Deserialize, Serialize};
+
+/// A checked case. Nothing behind this type reads user text.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Simulation {
+    /// One line for people.
+    pub title: String,
+    /// Plane or axisymmetric.
+    pub geometry: Geometry,
+    /// Bodies in the order of the case file; names are unique.
+    pub bodies: Vec<Body>,
+    /// Duration and stepping.
+    pub run: Run,
+    /// What is written, and how often.
+    pub output: Output,
+    /// Points where fields are recorded; names are unique.
+    pub probes: Vec<Probe>,
+    /// Where the cavity is at the start, for monitors and theory.
+    pub bubble: Option<Bubble>,
+}
+
+impl Simulation {
+    /// The body of that name.
+    #[must_use]
+    pub fn body(&self, name: &str) -> Option<&Body> {
+        self.bodies.iter().find(|b| b.name == name)
+    }
+}
+
+/// Duration and stepping of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// Simulated time at the end, s.
+    pub end_time: f64,
+    /// Step as a fraction of h / wave speed, dimensionless.
+    pub safety: f64,
+    /// Stop after this many steps, if given.
+    pub max_steps: Option<u64>,
+}
+
+/// Intervals of output, all in seconds of simulated time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Output {
+    /// Field files.
+    pub fields_every: f64,
+    /// Rows of `history.csv` and of the probes.
+    pub history_every: f64,
+    /// Checkpoints.
+    pub checkpoint_every: f64,
+}
+
+/// A point fixed in space where the fields of one body are recorded.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Probe {
+    /// Name of the probe and of its file.
+    pub name: String,
+    /// Body whose fields are read.
+    pub body: String,
+    /// (r, z) or (x, y), m.
+    pub position: [f64; 2],
+}
+
+/// The empty cavity at the start.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Bubble {
+    /// Centre, m.
+    pub centre: [f64; 2],
+    /// Radius, m.
+    pub radius: f64,
+    /// Distance of the centre from the wall, m; none without a wall.
+    pub wall_distance: Option<f64>,
+    /// Pressure that drives the collapse, Pa.
+    pub driving_pressure: f64,
+}
+
+/// A region filled with particles of one material.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    /// Unique name.
+    pub name: String,
+    /// Liquid or solid, with its laws.
+    pub kind: BodyKind,
+    /// Region.
+    pub shape: Shape,
+    /// Regions left empty.
+    pub holes: Vec<Shape>,
+    /// Particle spacing.
+    pub spacing: Spacing,
+    /// What lies at the four sides.
+    pub sides: Sides,
+}
+
+/// Liquid or solid.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyKind {
+    /// A compressible liquid.
+    Fluid(Fluid),
+    /// An elastic-plastic solid.
+    Solid(Solid),
+}
+
+/// A compressible liquid.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Fluid {
+    /// Name in the material library.
+    pub material: String,
+    /// Equation of state.
+    pub eos: Tait,
+    /// Discrete form.
+    pub formulation: FluidFormulation,
+    /// Pressure at the start, Pa.
+    pub pressure: f64,
+    /// Velocity at the start, m/s.
+    pub velocity: [f64; 2],
+}
+
+/// Discrete forms of the liquid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FluidFormulation {
+    /// Corrected divergence, Riemann pair values, shifting that carries mass.
+    Corrected {
+        /// Strength k of the shifting velocity, dimensionless.
+        shifting: f64,
+    },
+    /// The published form: summation density with f1, artificial viscosity (Joshi 2018, eqs 5.29, 6.7 to 6.9).
+    Joshi {
+        /// Linear artificial viscosity.
+        alpha: f64,
+        /// Quadratic artificial viscosity.
+        beta: f64,
+    },
+}
+
+/// An elastic-plastic solid.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Solid {
+    /// Name in the material library.
+    pub material: String,
+    /// Density at rest, kg/m3.
+    pub density: f64,
+    /// Elastic constants.
+    pub elastic: Elastic,
+    /// Yield law; without the strain-rate term its `c` is zero.
+    pub strength: Strength,
+    /// Discrete form.
+    pub formulation: SolidFormulation,
+    /// Velocity at the start, m/s.
+    pub velocity: [f64; 2],
+}
+
+/// Discrete forms of the solid.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SolidFormulation {
+    /// Neighbours and gradients of the reference configuration.
+    TotalLagrangian {
+        /// Linear viscosity alpha on approach, dimensionless.
+        viscosity: f64,
+        /// Hourglass penalty zeta, dimensionless.
+        hourglass: f64,
+    },
+    /// The published updated form (Joshi 2018, eqs 5.46, 5.47).
+    Joshi {
+        /// Linear artificial viscosity.
+        alpha: f64,
+        /// Quadratic artificial viscosity.
+        beta: f64,
+        /// Share of the neighbours' velocity in the motion; 0 is off.
+        xsph: f64,
+    },
+}
+
+/// The four sides of a rectangle; what a disc has none of stays free.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Sides {
+    /// Smallest first coordinate.
+    pub left: Side,
+    /// Largest first coordinate.
+    pub right: Side,
+    /// Smallest second coordinate.
+    pub bottom: Side,
+    /// Largest second coordinate.
+    pub top: Side,
+}
+
+/// What lies behind a side.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// The axis of symmetry, r = 0.
+    Axis,
+    /// A frictionless wall at rest: a mirror.
+    Rigid,
+    /// Nothing: zero traction.
+    #[default]
+    Free,
+    /// The body goes on without end; outgoing waves leave.
+    NonReflecting {
+        /// Pressure far away at the start, Pa.
+        pressure: f64,
+        /// A wave that enters through this side.
+        wave: Option<Wave>,
+    },
+    /// Contact with another body.
+    Interface {
+        /// Its name.
+        with: String,
+    },
+}
+
+/// A pressure step that enters through a side and stays on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Wave {
+    /// Rise of pressure, Pa.
+    pub pressure: f64,
+    /// When the step enters, s.
+    pub start: f64,
+}

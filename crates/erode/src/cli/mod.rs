@@ -1,0 +1,49 @@
+//! Commands: what they are called, what they take, where they go.
+
+mod args;
+mod check;
+mod failure;
+mod format;
+mod materials;
+mod new;
+mod say;
+
+use args::{Cli, Command};
+use clap::Parser;
+use failure::{Failure, Outcome};
+use std::process::ExitCode;
+
+/// Reads the command line, runs the command, turns its outcome into an exit code.
+pub(crate) fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            // Help and version are no errors; a wrong command line is wrong input.
+            let code = if e.use_stderr() {
+                failure::WRONG_INPUT
+            } else {
+                0
+            };
+            // Nothing can be reported when the terminal is gone.
+            let _ = e.print();
+            return ExitCode::from(code);
+        }
+    };
+    match dispatch(&cli.command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn dispatch(command: &Command) -> Outcome {
+    match command {
+        Command::New(args) => new::new(args),
+        Command::Check(args) => check::check(args),
+        Command::Materials(args) => materials::materials(args),
+        Command::Run(_) => Err(Failure::not_built("run")),
+        Command::Resume(_) => Err(Failure::not_built("resume")),
+        Command::Report(_) => Err(Failure::not_built("report")),
+        Command::Validate(_) => Err(Failure::not_built("validate")),
+        Command::Status(_) => Err(Failure::not_built("status")),
+    }
+}

@@ -1,0 +1,32 @@
+//! The order of the report.
+
+use super::html::Page;
+use super::instants::Instants;
+use super::run_data::RunData;
+use super::sections::{asked, bubble, energy, fields, probes, results, stepping, strain, wall};
+
+/// The whole page as HTML.
+pub(crate) fn compose(data: &RunData) -> String {
+    let instants = Instants::find(data);
+    let mut page = Page::default();
+    let title = asked::title(data);
+    asked::write_head(&mut page, data, &title);
+    page.columns(
+        |left| results::write(left, data),
+        |right| asked::write(right, data),
+    );
+    results::write_comparison(&mut page, data);
+    let end = data
+        .frames
+        .last()
+        .map_or_else(Vec::new, |frame| frame.read().0);
+    fields::write(&mut page, data, &instants, &end);
+    bubble::write(&mut page, data, &instants);
+    wall::write(&mut page, data, &instants);
+    strain::write(&mut page, data, &instants, &end);
+    energy::write(&mut page, data);
+    stepping::write(&mut page, data, &instants);
+    probes::write(&mut page, data);
+    asked::write_files(&mut page, data);
+    page.finish(&title)
+}

@@ -1,0 +1,11 @@
+//! The sections of the report, one file each.
+
+pub(super) mod asked;
+pub(super) mod bubble;
+pub(super) mod energy;
+pub(super) mod fields;
+pub(super) mod probes;
+pub(super) mod results;
+pub(super) mod stepping;
+pub(super) mod strain;
+pub(super) mod wall;
