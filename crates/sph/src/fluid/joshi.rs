@@ -61,7 +61,7 @@ fn ring_density(geometry: Geometry, x: &Extended) -> Vec<f64> {
 }
 
 /// f1 and df1/dr (1/m) of a particle; 1 and 0 in plane motion.
-fn axis_correction(geometry: Geometry, r: f64, h: f64) -> (f64, f64) {
+pub(crate) fn axis_correction(geometry: Geometry, r: f64, h: f64) -> (f64, f64) {
     match geometry {
         Geometry::Plane => (1.0, 0.0),
         Geometry::Axisymmetric => {

@@ -13,7 +13,7 @@ use super::images::Flux;
 use super::mat2::{Mat2, determinant, inverse, product, product_transposed, scaled};
 use super::reference::Reference;
 use super::stress::TASK;
-use super::{Face, Solid, absorbing};
+use super::{Face, Formulation, Solid, absorbing};
 use crate::geometry::{Geometry, Vec2};
 use rayon::prelude::*;
 
@@ -108,6 +108,9 @@ impl Solid {
     ///
     /// In a kick-drift-kick step call it after [`Self::update_stress`]: the velocities are then those of the half step.
     pub fn accelerations(&mut self) {
+        if let Formulation::Joshi(settings) = self.numerics.formulation {
+            return self.present_accelerations(&settings);
+        }
         self.place_images();
         self.move_images();
         self.set_tractions();

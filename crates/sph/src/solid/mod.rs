@@ -1,7 +1,7 @@
-//! Total Lagrangian elastic-plastic solid, plane strain or axisymmetric.
+//! Elastic-plastic solid, plane strain or axisymmetric: total Lagrangian, or in the published form ([`updated`]).
 //!
-//! The body is a rectangle in its reference configuration, of any (also graded) spacing; neighbours and gradients are
-//! those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
+//! The body is a rectangle in its reference configuration, of any (also graded) spacing; in the total Lagrangian form
+//! neighbours and gradients are those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
 //! the same bits for any number of threads. Formulation and its measured errors: docs/equations.md.
 
 mod absorbing;
@@ -17,6 +17,7 @@ mod state;
 mod step;
 mod stress;
 mod surface;
+pub mod updated;
 
 pub use block::{Block, Face, Side};
 pub use energy::Energy;
@@ -43,6 +44,19 @@ pub struct Numerics {
     pub hourglass: f64,
     /// Stable step in units of spacing / longitudinal wave speed.
     pub courant: f64,
+    /// Discrete form.
+    pub formulation: Formulation,
+}
+
+/// Discrete form of the solid.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Formulation {
+    /// Neighbours and gradients of the reference configuration; the viscosity and hourglass stiffness of [`Numerics`].
+    #[default]
+    TotalLagrangian,
+    /// As published: neighbours and gradients of the present configuration, an artificial viscosity of its own.
+    Joshi(updated::Settings),
 }
 
 impl Default for Numerics {
@@ -52,6 +66,7 @@ impl Default for Numerics {
             viscosity: 1.0,
             hourglass: 0.1,
             courant: 0.4,
+            formulation: Formulation::default(),
         }
     }
 }
@@ -74,6 +89,8 @@ pub struct Solid {
     /// Traction and absorbing faces.
     pub surfaces: Vec<Surface>,
     scratch: force::Scratch,
+    /// Used by the published form alone.
+    present: updated::Present,
 }
 
 /// What a solid is made from.
@@ -115,6 +132,15 @@ impl Solid {
             .filter(|&side| !block.face(side).mirrors())
             .map(|side| Surface::new(geometry, &block, side, &reference))
             .collect::<Result<Vec<_>, _>>()?;
+        let present = match numerics.formulation {
+            Formulation::TotalLagrangian => updated::Present::default(),
+            Formulation::Joshi(_) => updated::Present::new(
+                &block,
+                &reference.position,
+                &reference.smoothing_length,
+                &surfaces,
+            )?,
+        };
         let mut solid = Self {
             state: State::at_rest(reference.position.clone(), material.temperature),
             geometry,
@@ -124,6 +150,7 @@ impl Solid {
             reference,
             surfaces,
             scratch: force::Scratch::default(),
+            present,
         };
         solid.follow_surfaces();
         Ok(solid)
@@ -167,10 +194,14 @@ impl Solid {
 
     /// Moves the surface points to the present positions and velocities.
     pub fn follow_surfaces(&mut self) {
+        if let Formulation::Joshi(_) = self.numerics.formulation {
+            return self.arrange();
+        }
         self.move_images();
         let (reference, velocity) = (&self.reference, &self.scratch.velocity);
         for surface in &mut self.surfaces {
-            surface.follow(reference, &self.state, |a| {
+            surface.follow_position(reference, &self.state);
+            surface.follow_velocity(reference, &self.state, |a| {
                 stress::gradient(reference, velocity, a)
             });
         }
