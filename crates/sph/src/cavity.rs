@@ -228,16 +228,13 @@ impl Colour {
             if on_axis { 0.0 } else { moment[0] / volume },
             moment[1] / volume,
         ];
-        Cavity {
-            volume,
-            centre,
-            inner_radius: if on_axis { 0.0 } else { inner },
-            extent,
-        }
+        let axis_extent = if on_axis { axis_extent } else { [f64::NAN; 2] };
+        let inner_radius = if on_axis { 0.0 } else { inner };
+        Cavity { volume, centre, inner_radius, extent, axis_extent }
     }
 
     /// Radius of the void about `centre` along `rays` directions at equal polar angles from the upper pole (m): the radius r
-    /// with r^3/3 = integral of (1 - c) s^2 ds along the ray, out to the first place with c > 1 - `RIM` behind the surface.
+    /// with r^3/3 = integral of (1 - c) s^2 ds along the ray, out to one kernel support behind the surface.
     #[must_use]
     pub fn radii(&self, centre: Vec2, rays: usize) -> Vec<f64> {
         (0..rays)

@@ -1,10 +1,12 @@
 //! Elastic-plastic solid, plane strain or axisymmetric: total Lagrangian, or in the published form ([`updated`]).
 //!
 //! The body is a rectangle in its reference configuration, of any (also graded) spacing; in the total Lagrangian form
-//! neighbours and gradients are those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
-//! the same bits for any number of threads. Formulation and its measured errors: docs/equations.md.
+//! neighbours and gradients are those of the reference, stored once. Sums are gathers over fixed lists with one writer per
+//! output, so results are the same bits for any number of threads. The formulas stand on top of
+//! `stress.rs` (strain and stress), `force.rs`, `images.rs` (faces), `balance.rs`, `surface.rs` and `energy.rs`.
 
 mod absorbing;
+mod balance;
 mod block;
 mod energy;
 mod error;
@@ -40,6 +42,9 @@ pub struct Numerics {
     pub smoothing_ratio: f64,
     /// Linear artificial viscosity alpha.
     pub viscosity: f64,
+    /// Linear artificial viscosity of pairs with a particle of the first row of an open face, on approach and
+    /// separation; must be about 1 for stability (see `force.rs`).
+    pub edge_viscosity: f64,
     /// Hourglass stiffness zeta.
     pub hourglass: f64,
     /// Stable step in units of spacing / longitudinal wave speed.
@@ -63,7 +68,8 @@ impl Default for Numerics {
     fn default() -> Self {
         Self {
             smoothing_ratio: 1.3,
-            viscosity: 1.0,
+            viscosity: 0.2,
+            edge_viscosity: 1.0,
             hourglass: 0.1,
             courant: 0.4,
             formulation: Formulation::default(),
@@ -126,7 +132,7 @@ impl Solid {
             position,
             area,
         } = setup;
-        let reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
+        let mut reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
         let surfaces = Side::ALL
             .into_iter()
             .filter(|&side| !block.face(side).mirrors())
@@ -141,6 +147,8 @@ impl Solid {
                 &surfaces,
             )?,
         };
+        let axisymmetric = geometry == Geometry::Axisymmetric;
+        reference.imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
         let mut solid = Self {
             state: State::at_rest(reference.position.clone(), material.temperature),
             geometry,

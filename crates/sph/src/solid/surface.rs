@@ -9,12 +9,9 @@
 use super::SolidError;
 use super::block::{Block, Face, Side};
 use super::mat2::{Mat2, apply};
-use super::reference::Reference;
+use super::reference::{FIRST_ROW, Reference};
 use super::state::State;
 use crate::geometry::{Geometry, Vec2};
-
-/// Particles no deeper than this many spacings are surface points.
-const FIRST_ROW: f64 = 0.75;
 
 /// The points of one face, in order along it.
 #[derive(Debug, Clone)]
@@ -140,8 +137,8 @@ impl Surface {
                     2.0 * reference.area[a] * normal * ring;
             }
         }
-        for j in 0..share.len() {
-            let scale = self.area[j] / share[j];
+        for (j, share) in share.into_iter().enumerate() {
+            let scale = self.area[j] / share;
             if !(0.2..5.0).contains(&scale) {
                 return Err(SolidError::UnevenFace {
                     side: self.side,
@@ -177,6 +174,11 @@ impl Surface {
             after
         };
         Ok(j as u32)
+    }
+
+    /// Scale of the traction that the images of a particle carry.
+    pub(super) fn scale_on(&self, particle: u32) -> f64 {
+        self.scale[self.point_of_particle[particle as usize] as usize]
     }
 
     /// Scaled traction that the images of a particle carry, Pa.
