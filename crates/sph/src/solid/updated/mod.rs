@@ -24,8 +24,6 @@
 mod force;
 mod images;
 mod sums;
-#[cfg(test)]
-mod tests;
 
 use super::images::{Image, all_images};
 use super::mat2::{Mat2, product};
