@@ -76,7 +76,7 @@ impl Colour {
         for (i, x) in position.iter().enumerate() {
             let a = ghosts.particle(fluid.len(), i);
             let h = fluid.smoothing_length[a];
-            if colour.add(*x, fluid.area(a), h) {
+            if colour.add(*x, fluid.filled_area(a), h) {
                 finest = finest.min(h);
             }
         }

@@ -163,7 +163,7 @@ static TOTAL_LAGRANGIAN: Table = table(
         default(
             "viscosity",
             Quantity(NUMBER, NotNegative),
-            "1",
+            "0.2",
             "linear viscosity on approach",
         ),
         default(

@@ -4,7 +4,7 @@ use super::monitor::{self, Record};
 use super::{RunError, build, probes, results, state};
 use crate::case::{Case, Simulation};
 use crate::output::{
-    Checkpoint, CheckpointMeta, CheckpointStore, Collection, Column, Encoding, Entry, Refused, RunFolder, RunPaths,
+    Checkpoint, CheckpointMeta, CheckpointStore, Collection, Column, Encoding, Entry, RunFolder,
     State, Status, TableWriter, hash_hex, write_failure,
 };
 use erode_sph::solid::Side;
@@ -17,7 +17,7 @@ use std::time::Instant;
 /// A step shorter than this share of the first one is a collapse of the calculation.
 const SHORTEST_STEP: f64 = 1e-4;
 /// Density outside these multiples of the one at rest, or speed above that many sound speeds, is no liquid any more.
-const DENSITY_RANGE: (f64, f64) = (0.2, 4.0);
+const DENSITY_RANGE: (f64, f64) = (0.02, 4.0);
 const FASTEST: f64 = 20.0;
 /// Wall pressure is recorded at this many radii at most.
 const WALL_COLUMNS: usize = 100;
@@ -371,7 +371,7 @@ impl Run {
             let path = paths.snapshot(&named.name, self.snapshots);
             probes::snapshot(&named.body, self.world.time).write(&path, Encoding::Zlib)?;
             let file = format!("fields/{}", path.file_name().unwrap_or_default().to_string_lossy());
-            entries.push(Entry { time: self.world.time, part: part as u32, name: named.name.clone(), file });
+            entries.push(Entry { time: self.world.time, part, name: named.name.clone(), file });
         }
         self.fields.add(entries)?;
         self.snapshots += 1;

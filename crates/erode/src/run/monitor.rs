@@ -29,7 +29,7 @@ const YIELDED: f64 = 1e-6;
 
 /// Extremes and events since the start: part of a checkpoint.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Record {
+pub(crate) struct Record {
     /// Energy balance at the start, J.
     pub initial_balance: f64,
     /// Mass at the start, kg.
@@ -79,7 +79,7 @@ pub struct BubbleState {
 
 /// Columns of `history.csv`.
 #[must_use]
-pub fn columns(simulation: &Simulation) -> Vec<Column> {
+pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
     let mut names = vec![("time", "s"), ("dt", "s")];
     if simulation.bubble.is_some() {
         names.extend([
@@ -177,7 +177,7 @@ fn distance(a: Vec2, b: Vec2) -> f64 {
 
 /// Radius of the ball (disc in plane) with a volume.
 #[must_use]
-pub fn equivalent_radius(volume: f64, geometry: erode_sph::Geometry) -> f64 {
+pub(crate) fn equivalent_radius(volume: f64, geometry: erode_sph::Geometry) -> f64 {
     match geometry {
         erode_sph::Geometry::Axisymmetric => (3.0 * volume.max(0.0) / (4.0 * PI)).cbrt(),
         // Half a disc lies at x > 0.
@@ -186,7 +186,7 @@ pub fn equivalent_radius(volume: f64, geometry: erode_sph::Geometry) -> f64 {
 }
 
 /// One row of `history.csv`; extremes go to the record.
-pub fn row(world: &World, simulation: &Simulation, cell: f64, dt: f64, record: &mut Record) -> Vec<f64> {
+pub(crate) fn row(world: &World, simulation: &Simulation, cell: f64, dt: f64, record: &mut Record) -> Vec<f64> {
     let mut values = vec![world.time, dt];
     if let Some(b) = &simulation.bubble {
         let state = bubble(world, b, cell);
@@ -220,7 +220,7 @@ pub fn row(world: &World, simulation: &Simulation, cell: f64, dt: f64, record: &
 
 impl Record {
     /// After every step: what must not be missed between rows.
-    pub fn see_step(&mut self, world: &World, limiter: &str) {
+    pub(crate) fn see_step(&mut self, world: &World, limiter: &str) {
         *self.limiters.entry(limiter.to_owned()).or_default() += 1;
         if let Some(s) = solid(world) {
             self.max_strain_rate = self.max_strain_rate.max(largest(&s.state.plastic_strain_rate));

@@ -1,6 +1,6 @@
 //! Fields at points fixed in space, and snapshots of whole bodies.
 
-use crate::output::{Column, Field, Snapshot};
+use crate::output::{Column, Data, Field, Snapshot};
 use erode_sph::fluid::Fluid;
 use erode_sph::geometry::Vec2;
 use erode_sph::kernel;
@@ -25,7 +25,7 @@ const SOLID: [(&str, &str); 9] = [
 
 /// Columns of a probe in a body.
 #[must_use]
-pub fn columns(body: &Body) -> Vec<Column> {
+pub(crate) fn columns(body: &Body) -> Vec<Column> {
     let fields: &[(&str, &str)] = match body {
         Body::Fluid(_) => &FLUID,
         Body::Solid(_) => &SOLID,
@@ -35,7 +35,7 @@ pub fn columns(body: &Body) -> Vec<Column> {
 
 /// One row of a probe: kernel means over the particles around `x`; NaN where there is no support.
 #[must_use]
-pub fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
+pub(crate) fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
     let values = match body {
         Body::Fluid(f) => mean(x, &f.position, |a| (f.area(a), f.smoothing_length[a]), |a| fluid_values(f, a)).to_vec(),
         Body::Solid(s) => mean(
@@ -83,31 +83,31 @@ fn mean<const N: usize>(
 
 /// All fields of a body.
 #[must_use]
-pub fn snapshot(body: &Body, time: f64) -> Snapshot {
+pub(crate) fn snapshot(body: &Body, time: f64) -> Snapshot {
     match body {
         Body::Fluid(f) => {
             let density: Vec<f64> = (0..f.len()).map(|a| f.density(a)).collect();
             let area: Vec<f64> = (0..f.len()).map(|a| f.area(a)).collect();
             Snapshot::new(time, &f.position)
-                .with(Field::scalar("pressure", "Pa", f.pressure.clone()))
-                .with(Field::scalar("density", "kg/m3", density))
+                .with(Field::scalar("pressure", "Pa", Data::F64(f.pressure.clone())))
+                .with(Field::scalar("density", "kg/m3", Data::F64(density)))
                 .with(Field::vector("velocity", "m/s", &f.velocity))
-                .with(Field::scalar("smoothing_length", "m", f.smoothing_length.clone()))
-                .with(Field::scalar("area", "m2", area))
-                .with(Field::scalar("support", "-", f.support.clone()))
+                .with(Field::scalar("smoothing_length", "m", Data::F64(f.smoothing_length.clone())))
+                .with(Field::scalar("area", "m2", Data::F64(area)))
+                .with(Field::scalar("support", "-", Data::F64(f.support.clone())))
         }
         Body::Solid(s) => {
             let q = &s.state;
             Snapshot::new(time, &q.position)
-                .with(Field::scalar("plastic_strain", "-", q.plastic_strain.clone()))
-                .with(Field::scalar("plastic_strain_rate", "1/s", q.plastic_strain_rate.clone()))
-                .with(Field::scalar("von_mises", "Pa", q.von_mises.clone()))
+                .with(Field::scalar("plastic_strain", "-", Data::F64(q.plastic_strain.clone())))
+                .with(Field::scalar("plastic_strain_rate", "1/s", Data::F64(q.plastic_strain_rate.clone())))
+                .with(Field::scalar("von_mises", "Pa", Data::F64(q.von_mises.clone())))
                 .with(Field::symmetric("stress", "Pa", &q.stress))
                 .with(Field::vector("velocity", "m/s", &q.velocity))
-                .with(Field::scalar("plastic_work", "J/m3", q.plastic_work.clone()))
-                .with(Field::scalar("temperature", "K", q.temperature.clone()))
-                .with(Field::scalar("area", "m2", s.reference.area.clone()))
-                .with(Field::scalar("smoothing_length", "m", s.reference.smoothing_length.clone()))
+                .with(Field::scalar("plastic_work", "J/m3", Data::F64(q.plastic_work.clone())))
+                .with(Field::scalar("temperature", "K", Data::F64(q.temperature.clone())))
+                .with(Field::scalar("area", "m2", Data::F64(s.reference.area.clone())))
+                .with(Field::scalar("smoothing_length", "m", Data::F64(s.reference.smoothing_length.clone())))
         }
     }
 }

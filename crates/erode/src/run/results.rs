@@ -12,7 +12,7 @@ const RAYLEIGH: f64 = 0.914_681;
 
 /// Summary of a finished (or stopped) run.
 #[must_use]
-pub fn summary(world: &World, simulation: &Simulation, record: &Record, wall_time: f64, threads: usize) -> Summary {
+pub(crate) fn summary(world: &World, simulation: &Simulation, record: &Record, wall_time: f64, threads: usize) -> Summary {
     let mut s = Summary::default();
     bubble(&mut s, world, simulation, record);
     metal(&mut s, world, record);
@@ -107,6 +107,7 @@ fn counts(s: &mut Summary, world: &World) {
                 ("axis_crossings", a.axis_crossings),
                 ("wall_crossings", a.wall_crossings),
                 ("tension_removed", a.cavitating),
+                ("fragments_kept_whole", a.parted),
                 ("limited_exchanges", a.limited_exchanges),
             ];
             for (name, count) in entries {

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 ///
 /// # Errors
 /// Never in practice: only if two bodies had the same name.
-pub fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), RunError> {
+pub(crate) fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), RunError> {
     for named in &world.bodies {
         let key = |field: &str| format!("{}/{field}", named.name);
         match &named.body {
@@ -57,7 +57,7 @@ fn scalars(q: &erode_sph::solid::State) -> [(&'static str, &Vec<f64>); 6] {
 
 /// What is counted since the start, for the description of a checkpoint.
 #[must_use]
-pub fn accounts(world: &World) -> Value {
+pub(crate) fn accounts(world: &World) -> Value {
     let all = world.bodies.iter().map(|named| match &named.body {
         Body::Fluid(f) => json!(f.account),
         Body::Solid(s) => json!(s.state.work),
@@ -69,7 +69,7 @@ pub fn accounts(world: &World) -> Value {
 ///
 /// # Errors
 /// If an array is missing or has another length than the world.
-pub fn restore(world: &mut World, checkpoint: &Checkpoint, accounts: &Value) -> Result<(), RunError> {
+pub(crate) fn restore(world: &mut World, checkpoint: &Checkpoint, accounts: &Value) -> Result<(), RunError> {
     world.time = checkpoint.meta.time;
     world.step = checkpoint.meta.step;
     for (i, named) in world.bodies.iter_mut().enumerate() {

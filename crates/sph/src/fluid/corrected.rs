@@ -26,6 +26,9 @@ impl Default for Settings {
     }
 }
 
+/// Below this eigenvalue of the moment matrix a particle lies at a free surface or is a fragment.
+const PARTED: f64 = 0.6;
+
 /// Energy that left or entered the liquid otherwise than through its own motion, J; and what was counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Account {
@@ -40,6 +43,8 @@ pub struct Account {
     pub wall_crossings: u64,
     /// Particle-steps in which tension was removed.
     pub cavitating: u64,
+    /// Particle-steps in which a fragment was kept at its density at zero pressure.
+    pub parted: u64,
     /// Exchanges of volume that were cut to the largest share a particle may give.
     pub limited_exchanges: u64,
 }
@@ -51,9 +56,20 @@ impl Fluid {
             self.account.dissipation += dt * self.pressure[a] * k.exchange;
             let relative = k.divergence + k.exchange / self.volume[a];
             self.volume[a] *= (dt * relative).exp();
+            self.keep_fragments_whole(a);
         }
         let shift = shifting::velocities(self, &sweep.kinematics, s);
         shifting::exchange(self, &sweep.ghosts, &sweep.list, &shift, dt);
         shift
+    }
+
+    /// Where the liquid has parted it keeps its density at zero pressure: the void opens between the pieces, not in them.
+    /// Inside the liquid a deficit of density stands for bubbles too small to see and is kept.
+    fn keep_fragments_whole(&mut self, a: usize) {
+        let largest = self.mass[a] / self.eos.reference_density;
+        if self.support[a] < PARTED && self.volume[a] > largest {
+            self.volume[a] = largest;
+            self.account.parted += 1;
+        }
     }
 }

@@ -151,6 +151,17 @@ impl Fluid {
         self.volume[a] / self.geometry.ring(self.position[a][0])
     }
 
+    /// Area that particle `a` fills with liquid, m2: summation density is low at a free surface, and what is below the
+    /// density at zero pressure is void.
+    pub(crate) fn filled_area(&self, a: usize) -> f64 {
+        match self.formulation {
+            Formulation::Corrected(_) => self.area(a),
+            Formulation::Joshi(_) => {
+                self.area(a) * (self.density(a) / self.eos.reference_density).min(1.0)
+            }
+        }
+    }
+
     /// Pressure from density, tension removed.
     pub(crate) fn update_pressure(&mut self) {
         for a in 0..self.len() {

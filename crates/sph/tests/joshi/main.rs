@@ -1,3 +1,4 @@
 //! The published formulation.
 
+mod interface;
 mod rayleigh;

@@ -81,7 +81,7 @@ struct Mark {
 
 /// R/R0, t (s), dR/dt (m/s).
 fn reference() -> Vec<[f64; 3]> {
-    include_str!("../../../../validation/rayleigh-collapse/tait_empty60_R_of_t.csv")
+    include_str!("../../../../validation/rayleigh-collapse/radius_of_time.csv")
         .lines()
         .skip(1)
         .map(|line| {
