@@ -106,7 +106,7 @@ fn main() {
         normal: [0.0; 2],
         pressure: p0,
         step_pressure: p0,
-        start: 0.0,
+        start: 0.0, rise: 0.0,
         face_area: 0.0,
     };
     if get("shells", 0.0) == 0.0 {

@@ -230,7 +230,13 @@ impl Colour {
         ];
         let axis_extent = if on_axis { axis_extent } else { [f64::NAN; 2] };
         let inner_radius = if on_axis { 0.0 } else { inner };
-        Cavity { volume, centre, inner_radius, extent, axis_extent }
+        Cavity {
+            volume,
+            centre,
+            inner_radius,
+            extent,
+            axis_extent,
+        }
     }
 
     /// Radius of the void about `centre` along `rays` directions at equal polar angles from the upper pole (m): the radius r

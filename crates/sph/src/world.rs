@@ -1,7 +1,7 @@
 //! The bodies of a simulation and the order of a step (the picture of it: docs/step.md).
 
-use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::Fluid;
+use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::step::Sweep;
 use crate::geometry::Vec2;
 use crate::interact::{Interaction, between};

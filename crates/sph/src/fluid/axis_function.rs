@@ -68,8 +68,7 @@ mod tests {
     fn slope_is_the_derivative() {
         for zeta in [0.05, 0.385, 0.9, 1.1, 1.5, 1.95, 2.5] {
             let e = 1e-6;
-            let slope =
-                (axis_function(zeta + e).value - axis_function(zeta - e).value) / (2.0 * e);
+            let slope = (axis_function(zeta + e).value - axis_function(zeta - e).value) / (2.0 * e);
             assert!((slope - axis_function(zeta).slope).abs() < 1e-8);
         }
     }
@@ -87,9 +86,8 @@ mod tests {
 
     #[test]
     fn it_is_the_function_of_the_spline_in_one_dimension() {
-        let spline = |q: f64| {
-            2.0 / 3.0 * (0.25 * (2.0 - q).max(0.0).powi(3) - (1.0 - q).max(0.0).powi(3))
-        };
+        let spline =
+            |q: f64| 2.0 / 3.0 * (0.25 * (2.0 - q).max(0.0).powi(3) - (1.0 - q).max(0.0).powi(3));
         for zeta in [0.05, 0.385, 0.9, 1.1, 1.5, 1.95] {
             let exact = smoothed(zeta, spline);
             assert!((exact * axis_function(zeta).value - 1.0).abs() < 1e-5);

@@ -29,6 +29,9 @@ impl Default for Settings {
 /// Below this eigenvalue of the moment matrix a particle lies at a free surface or is a fragment.
 const PARTED: f64 = 0.6;
 
+/// Cavitating liquid inside the body swells to this multiple of its volume at zero pressure; beyond, gaps open.
+const LARGEST_SWELLING: f64 = 1.5;
+
 /// Energy that left or entered the liquid otherwise than through its own motion, J; and what was counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Account {
@@ -64,10 +67,16 @@ impl Fluid {
     }
 
     /// Where the liquid has parted it keeps its density at zero pressure: the void opens between the pieces, not in them.
-    /// Inside the liquid a deficit of density stands for bubbles too small to see and is kept.
+    /// Inside the liquid a deficit of density stands for bubbles too small to see and is kept up to a limit. Volume
+    /// taken here is at zero pressure: no energy is lost with it.
     fn keep_fragments_whole(&mut self, a: usize) {
-        let largest = self.mass[a] / self.eos.reference_density;
-        if self.support[a] < PARTED && self.volume[a] > largest {
+        let swelling = if self.support[a] < PARTED {
+            1.0
+        } else {
+            LARGEST_SWELLING
+        };
+        let largest = swelling * self.mass[a] / self.eos.reference_density;
+        if self.volume[a] > largest {
             self.volume[a] = largest;
             self.account.parted += 1;
         }

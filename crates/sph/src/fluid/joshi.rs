@@ -107,7 +107,12 @@ impl Fluid {
     }
 
     /// Velocities of XSPH on top of the particles' own, m/s.
-    pub(crate) fn smoothing_velocities(&self, x: &Extended, sweep: &Sweep, share: f64) -> Vec<Vec2> {
+    pub(crate) fn smoothing_velocities(
+        &self,
+        x: &Extended,
+        sweep: &Sweep,
+        share: f64,
+    ) -> Vec<Vec2> {
         if share == 0.0 {
             return vec![[0.0; 2]; self.len()];
         }

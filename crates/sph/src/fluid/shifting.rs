@@ -39,8 +39,9 @@ fn velocity_of(a: usize, fluid: &Fluid, k: &Kinematics, s: &Settings) -> Vec2 {
         let along = d[0] * n[0] + d[1] * n[1];
         d = [d[0] - along * n[0], d[1] - along * n[1]];
     }
-    if fluid.geometry == Geometry::Axisymmetric {
-        d[0] *= (fluid.position[a][0] / h).min(1.0);
+    let fade = std::env::var("FADE").map_or(1.0, |v| v.parse::<f64>().unwrap());
+    if fluid.geometry == Geometry::Axisymmetric && fade > 0.0 {
+        d[0] *= (fade * fluid.position[a][0] / h).min(1.0);
     }
     let limit = s.shifting_limit * h * strain;
     let speed = d[0].hypot(d[1]);

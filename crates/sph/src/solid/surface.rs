@@ -163,9 +163,7 @@ impl Surface {
         if n == 0 {
             return Err(SolidError::NoSurface { side: self.side });
         }
-        let after = self
-            .particle
-            .partition_point(|&i| position[i][along] < x);
+        let after = self.particle.partition_point(|&i| position[i][along] < x);
         let j = if after == 0 {
             0
         } else if after == n || x - at(after - 1) <= at(after) - x {

@@ -143,15 +143,21 @@ fn pulse_is_shared_as_the_impedances_say() {
         })
     };
     let updated = solid::Formulation::Joshi(updated::Settings::default());
-    for (name, liquid, metal) in [
-        ("published, published", published(1.0), updated),
-        ("published 0.2, published", published(0.2), updated),
-        ("published, Lagrangian", published(1.0), solid::Formulation::TotalLagrangian),
-        ("corrected, published", corrected, updated),
-        ("corrected, Lagrangian", corrected, solid::Formulation::TotalLagrangian),
+    let lagrangian = solid::Formulation::TotalLagrangian;
+    // The published liquid carries a damped pulse, of which more arrives in the steel than the probe in the water saw.
+    for (name, liquid, metal, tolerance) in [
+        ("published, published", published(1.0), updated, 0.04),
+        ("published 0.2, published", published(0.2), updated, 0.025),
+        ("published, Lagrangian", published(1.0), lagrangian, 0.04),
+        ("corrected, published", corrected, updated, 0.01),
     ] {
         let found = shares(liquid, metal);
         let error = [0, 1].map(|i| found[i] / exact[i] - 1.0);
-        println!("{name}: reflected {:+.2} %, transmitted {:+.2} %", 100.0 * error[0], 100.0 * error[1]);
+        println!(
+            "{name}: reflected {:+.2} %, transmitted {:+.2} %",
+            100.0 * error[0],
+            100.0 * error[1]
+        );
+        assert!(error[0].abs() < 0.01 && error[1].abs() < tolerance);
     }
 }

@@ -139,8 +139,7 @@ fn collapse(n: f64, reach: f64, settings: joshi::Settings, marks: &[f64]) -> Vec
                 .find(|r| (r[0] - mark).abs() < 1e-9)
                 .unwrap()[1];
             let energy = fluid.kinetic_energy() + fluid.compression_energy();
-            let balance =
-                energy - start + fluid.account.dissipation - fluid.account.far_field_work;
+            let balance = energy - start + fluid.account.dissipation - fluid.account.far_field_work;
             let mark = Mark {
                 radius: mark,
                 time_error: time / t_reference - 1.0,
@@ -166,25 +165,44 @@ fn collapse(n: f64, reach: f64, settings: joshi::Settings, marks: &[f64]) -> Vec
     found
 }
 
-#[test]
-fn quick() {
-    for alpha in [1.0, 0.2] {
-        let settings = joshi::Settings {
-            alpha,
-            ..joshi::Settings::default()
-        };
-        collapse(15.0, 5.0, settings, &[0.9, 0.8, 0.7, 0.5, 0.3, 0.2, 0.1]);
+fn viscous(alpha: f64) -> joshi::Settings {
+    joshi::Settings {
+        alpha,
+        ..joshi::Settings::default()
     }
 }
 
+fn check(marks: &[Mark], time: f64, speed: f64) {
+    for m in marks {
+        assert!(m.time_error.abs() < time, "time at {}", m.radius);
+        // Later the cavity is no longer round, and its mean radius has no one speed.
+        assert!(
+            m.radius < 0.5 || m.speed_error.abs() < speed,
+            "speed at {}",
+            m.radius
+        );
+        assert!(m.energy_error.abs() < 0.015, "energy at {}", m.radius);
+    }
+}
+
+/// Fifteen particles per radius: what is lost is the start, one spacing late at the first row (2.3 % in time), and 3.6 %
+/// in speed at half the radius.
 #[test]
-#[ignore = "minutes"]
-fn full() {
-    for (n, alpha) in [(30.0, 1.0), (30.0, 0.2)] {
-        let settings = joshi::Settings {
-            alpha,
-            ..joshi::Settings::default()
-        };
-        collapse(n, 5.0, settings, &[0.9, 0.8, 0.7, 0.5, 0.3, 0.2, 0.1]);
+fn collapse_in_time_at_low_resolution() {
+    for alpha in [1.0, 0.2] {
+        let marks = collapse(15.0, 4.5, viscous(alpha), &[0.8, 0.7, 0.5]);
+        assert!(marks.len() == 3);
+        check(&marks, 0.035, 0.05);
+    }
+}
+
+/// Thirty: within 0.7 % in time down to 0.3 R0 and 1.3 % in speed down to 0.5 R0. Not round: 0.1 to 0.2 at 0.5 R0.
+#[test]
+#[ignore = "takes two minutes"]
+fn collapse_in_time() {
+    for alpha in [1.0, 0.2] {
+        let marks = collapse(30.0, 5.0, viscous(alpha), &[0.9, 0.8, 0.7, 0.5, 0.3]);
+        assert!(marks.len() == 5);
+        check(&marks, 0.01, 0.025);
     }
 }

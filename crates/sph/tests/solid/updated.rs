@@ -128,10 +128,9 @@ fn inner_forces_cancel_and_pressure_enters_whole() {
         }
     }
     let force = |solid: &Solid| {
-        (solid.reference.mass.iter().zip(&solid.state.acceleration))
-            .fold([0.0; 3], |f, (m, a)| {
-                [f[0] + m * a[0], f[1] + m * a[1], f[2] + m * a[1].abs()]
-            })
+        (solid.reference.mass.iter().zip(&solid.state.acceleration)).fold([0.0; 3], |f, (m, a)| {
+            [f[0] + m * a[0], f[1] + m * a[1], f[2] + m * a[1].abs()]
+        })
     };
     solid.accelerations();
     let [x, z, size] = force(&solid);
@@ -187,13 +186,13 @@ fn threads_do_not_change_a_bit() {
     assert!(one.state == two.state);
 }
 
+/// The sums for force and strain rate are not adjoint to each other: some percent of the energy are not accounted for.
 #[test]
 fn energy_closes_to_some_percent() {
-    for xsph in [0.0, 0.2] {
-        let solid = hit(2, xsph);
-        let share = solid.energy_defect() / solid.energy().total();
-        println!("xsph {xsph}: {share} {:?} {:?}", solid.energy(), solid.state.work);
-    }
+    let solid = hit(2, 0.0);
+    let share = solid.energy_defect() / solid.energy().total();
+    println!("energy missing: {share}");
+    assert!(share.abs() < 0.1);
 }
 
 /// A state put into a fresh body goes on as it would have.

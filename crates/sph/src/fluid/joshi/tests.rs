@@ -14,7 +14,12 @@ const P: f64 = 60e6;
 /// A block of `n` by `n` particles of spacing `dx` from radius `inner` on, between rigid walls.
 fn block(geometry: Geometry, inner: f64, n: usize, dx: f64) -> Fluid {
     let position: Vec<Vec2> = (0..n * n)
-        .map(|k| [inner + ((k % n) as f64 + 0.5) * dx, ((k / n) as f64 + 0.5) * dx])
+        .map(|k| {
+            [
+                inner + ((k % n) as f64 + 0.5) * dx,
+                ((k / n) as f64 + 0.5) * dx,
+            ]
+        })
         .collect();
     let mut fluid = Fluid::new(&Start {
         geometry,
@@ -74,11 +79,13 @@ fn axis_defect(ratio: f64) -> f64 {
     (row..row + n / 2).fold(0.0, |m: f64, k| m.max(a[k].acceleration[0].abs() / unit))
 }
 
+/// The terms of (6.7) cancel for uniform pressure (the identity of 5.46) up to two errors: sums over few neighbours, which
+/// fall with h/dx, and f1, which belongs to another kernel and leaves 2 %.
 #[test]
 fn uniform_pressure_leaves_little_acceleration_at_the_axis() {
-    for ratio in [1.1, 1.2, 1.3, 1.5, 2.0, 2.6, 5.2] {
-        println!("h/dx {ratio}: {:.5}", axis_defect(ratio));
-    }
+    let defect = [1.3, 2.6, 5.2].map(axis_defect);
+    println!("acceleration in p/(rho h) at h/dx = 1.3, 2.6, 5.2: {defect:?}");
+    assert!(defect[0] < 0.06 && defect[1] < 0.2 * defect[0] && defect[2] < 0.02);
 }
 
 #[test]
@@ -89,21 +96,57 @@ fn outside_pressure_takes_the_rest_away() {
     }
 }
 
+/// Inside a lattice the sum is low by 5e-5; in the row on the axis it is high by 3.4 %: 5 % by the kink of |r| between two
+/// rows, less the 1.7 % of f1.
 #[test]
 fn density_of_a_lattice_at_rest() {
-    for (geometry, tolerance) in [(Geometry::Plane, 2e-3), (Geometry::Axisymmetric, 0.03)] {
+    for (geometry, axis) in [(Geometry::Plane, 0.0), (Geometry::Axisymmetric, 0.0345)] {
         let mut fluid = block(geometry, 0.0, 20, 1e-5);
         let expected = fluid.density(0);
         let sweep = sweep_of(&fluid);
         fluid.sum_density(&sweep.ghosts, &sweep);
-        let row = 10 * 20;
-        for k in 0..6 {
-            println!("{geometry:?} {k}: {}", fluid.density(row + k) / expected - 1.0);
-        }
         for a in 0..fluid.len() {
-            assert!((fluid.density(a) / expected - 1.0).abs() < tolerance);
+            let error = fluid.density(a) / expected - 1.0;
+            let known = if a % 20 == 0 { axis } else { 0.0 };
+            assert!((error - known).abs() < 3e-4, "{geometry:?} {a}: {error}");
         }
     }
+}
+
+/// A rigid plane that counts as the surface of a body.
+struct Lid(Plane);
+
+impl Wall for Lid {
+    fn plane(&self, x: Vec2, reach: f64) -> Option<Plane> {
+        self.0.plane(x, reach)
+    }
+
+    fn is_surface(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn a_wall_feels_pressure_times_area() {
+    let n = 30;
+    let mut fluid = block(Geometry::Axisymmetric, 0.0, n, 1e-5);
+    let lid = Lid(fluid.sides.remove(0));
+    let sides = fluid.sides.clone();
+    let mut walls: Vec<&dyn Wall> = sides.iter().map(|p| p as &dyn Wall).collect();
+    walls.push(&lid);
+    let sweep = fluid.advance_positions(&walls, 1e-12);
+    fluid.volume = (fluid.mass.iter()).map(|m| m / WATER.density(P)).collect();
+    fluid.pressure.fill(P);
+    let x = Extended::new(&fluid, &sweep.ghosts, &fluid.velocity);
+    let outside = vec![0.0; fluid.len()];
+    let forces = forces(&fluid, &x, &outside, &sweep, &Settings::default());
+    let felt: f64 = (forces.iter().zip(&fluid.mass))
+        .map(|(f, m)| m * f.wall[1])
+        .sum();
+    let share = felt / (P * std::f64::consts::PI * (n as f64 * 1e-5).powi(2));
+    println!("share of the pressure on the wall: {share}");
+    // The sum of -A x dW/dx over a lattice is 1.0105 at h = 1.3 dx.
+    assert!((share - 1.0105).abs() < 0.005);
 }
 
 #[test]
@@ -121,7 +164,9 @@ fn viscosity_does_not_depend_on_the_radius() {
         f.iter().map(|f| f.dissipation).collect()
     };
     let plane = friction(Geometry::Plane, 0.0);
-    let size = plane.iter().fold(0.0, |m: f64, v| m.max(v[0].abs()).max(v[1].abs()));
+    let size = plane
+        .iter()
+        .fold(0.0, |m: f64, v| m.max(v[0].abs()).max(v[1].abs()));
     let gap = |radius: f64| {
         let rings = friction(Geometry::Axisymmetric, radius * dx);
         (rings.iter().zip(&plane)).fold(0.0, |m: f64, (v, w)| {

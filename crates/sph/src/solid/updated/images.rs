@@ -89,9 +89,7 @@ impl Solid {
             present
                 .position
                 .push(placed.image.place(block, state.position[b]));
-            present
-                .velocity
-                .push(placed.image.turn(state.velocity[b]));
+            present.velocity.push(placed.image.turn(state.velocity[b]));
         }
     }
 
