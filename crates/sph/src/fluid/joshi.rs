@@ -126,9 +126,8 @@ impl Fluid {
                     let Some(pair) = x.pair(a, b) else { continue };
                     let w = x.area[b] * eta[b] * kernel::value(pair.distance, pair.h);
                     let k = 2.0 * share * w / (eta[a] + eta[b]);
-                    for i in 0..2 {
-                        u[i] += k * (x.velocity[b][i] - x.velocity[a][i]);
-                    }
+                    let dv = [0, 1].map(|i| x.velocity[b][i] - x.velocity[a][i]);
+                    add(&mut u, dv, k);
                 }
                 u
             })
@@ -174,19 +173,22 @@ fn forces_on(
         let viscosity = viscosity(x, a, b, d, pair.h, s) * 2.0 * eta[b] / (eta[a] + eta[b]);
         let pushes = sweep.ghosts.is_surface(fluid.len(), b);
         let all = x.pressure[b] / x.density[b] + own * eta[b] * x.pressure[a] + viscosity;
-        for i in 0..2 {
-            let g = factor * d[i];
-            f.acceleration[i] += (pressure + viscosity) * g;
-            f.dissipation[i] += viscosity * g;
-            if pushes {
-                f.wall[i] += all * g;
-            }
+        add(&mut f.acceleration, d, (pressure + viscosity) * factor);
+        add(&mut f.dissipation, d, viscosity * factor);
+        if pushes {
+            add(&mut f.wall, d, all * factor);
         }
     }
     if fluid.geometry == Geometry::Axisymmetric {
         f.acceleration[0] += excess / x.density[a] * (1.0 / r - slope / f1);
     }
     f
+}
+
+/// sum += k v.
+#[inline]
+fn add(sum: &mut Vec2, v: Vec2, k: f64) {
+    *sum = [sum[0] + k * v[0], sum[1] + k * v[1]];
 }
 
 /// (-alpha c mu + beta mu^2) of a pair, m2/s2.

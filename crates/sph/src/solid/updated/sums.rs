@@ -116,9 +116,8 @@ impl Solid {
                     let mass = present.area[b] * present.eta[b];
                     let mean = 0.5 * (present.eta[a] + present.eta[b]);
                     let k = share * mass / mean * kernel::value(distance, h);
-                    for i in 0..2 {
-                        u[i] += k * (present.velocity[b][i] - present.velocity[a][i]);
-                    }
+                    let dv = [0, 1].map(|i| present.velocity[b][i] - present.velocity[a][i]);
+                    u = [u[0] + k * dv[0], u[1] + k * dv[1]];
                 }
                 u
             })
