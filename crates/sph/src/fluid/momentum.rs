@@ -8,10 +8,10 @@
 //! the pressure outside a far field, zero elsewhere.
 
 use crate::fluid::Fluid;
-use crate::fluid::corrected::Sweep;
 use crate::fluid::extended::{Extended, limited};
 use crate::fluid::kinematics::Kinematics;
 use crate::fluid::moments::{Sym2, apply};
+use crate::fluid::step::Sweep;
 use crate::geometry::Vec2;
 use rayon::prelude::*;
 
