@@ -4,3 +4,4 @@ pub mod case;
 pub mod materials;
 pub mod output;
 pub mod report;
+pub mod validate;

@@ -1,0 +1,70 @@
+//! Radius, speed and shape of a simulated cavity at given radii.
+
+/// One instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sample {
+    /// s.
+    pub(super) time: f64,
+    /// Mean radius by volume, R/R0.
+    pub(super) radius: f64,
+    /// (largest - smallest radius)/mean.
+    pub(super) roundness: f64,
+    /// Kinetic and compression energy, J.
+    pub(super) energy: f64,
+    /// Dissipated less the work of the far field, J.
+    pub(super) balance: f64,
+}
+
+/// Half of the range of radii from which a speed is read, relative to the radius.
+const HALF_RANGE: f64 = 0.06;
+
+/// Straight line through the points near a radius.
+struct Fit {
+    /// d(R^(5/2))/dt, 1/s.
+    slope: f64,
+    time: f64,
+    power: f64,
+}
+
+/// Least squares of R^(5/2), which late in a collapse is linear in time, within [`HALF_RANGE`] of a radius.
+fn fit(samples: &[Sample], radius: f64) -> Option<Fit> {
+    let near = |s: &&Sample| (s.radius / radius - 1.0).abs() <= HALF_RANGE;
+    let points: Vec<(f64, f64)> = samples
+        .iter()
+        .filter(near)
+        .map(|s| (s.time, s.radius.powf(2.5)))
+        .collect();
+    if points.len() < 3 {
+        return None;
+    }
+    let n = points.len() as f64;
+    let time = points.iter().map(|p| p.0).sum::<f64>() / n;
+    let power = points.iter().map(|p| p.1).sum::<f64>() / n;
+    let (mut xx, mut xy) = (0.0, 0.0);
+    for (t, y) in &points {
+        xx += (t - time).powi(2);
+        xy += (t - time) * (y - power);
+    }
+    let slope = xy / xx;
+    Some(Fit { slope, time, power })
+}
+
+/// Time at which the radius is first reached, s: linear between samples.
+pub(super) fn time_at(samples: &[Sample], radius: f64) -> Option<f64> {
+    let k = samples
+        .windows(2)
+        .position(|w| w[0].radius > radius && w[1].radius <= radius)?;
+    let (a, b) = (samples[k], samples[k + 1]);
+    Some(a.time + (b.time - a.time) * (a.radius - radius) / (a.radius - b.radius))
+}
+
+/// Speed of the wall inwards at a radius in units of R0, R0/s.
+pub(super) fn speed_at(samples: &[Sample], radius: f64) -> Option<f64> {
+    let fit = fit(samples, radius)?;
+    Some(-fit.slope / (2.5 * radius.powf(1.5)))
+}
+
+/// The sample nearest to a radius on its first way down.
+pub(super) fn sample_at(samples: &[Sample], radius: f64) -> Option<&Sample> {
+    samples.iter().find(|s| s.radius <= radius)
+}
