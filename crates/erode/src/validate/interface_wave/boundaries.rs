@@ -4,11 +4,12 @@ use super::column::{DX, HEIGHT, Pulse, steel_block, water_column, world};
 use super::record::{Sample, extreme, part, pressure, stress, watch};
 use crate::validate::Failure;
 use crate::validate::check::Check;
-use crate::validate::materials::{steel, water};
-use erode_sph::Geometry::Plane;
+use crate::validate::materials::water;
+use erode_sph::Geometry::{Axisymmetric, Plane};
 use erode_sph::fluid::far_field::FarField;
 use erode_sph::fluid::ghosts;
-use erode_sph::solid::Face;
+use erode_sph::geometry::Vec2;
+use erode_sph::solid::{Face, Side, Solid};
 use erode_sph::world::Body;
 
 /// Width of the pulses, m.
@@ -29,6 +30,7 @@ pub(super) fn checks() -> Result<Vec<Check>, Failure> {
         absorbing(1)?,
         absorbing(0)?,
         along()?,
+        impact()?,
     ])
 }
 
@@ -153,8 +155,7 @@ fn absorbing(axis: usize) -> Result<Check, Failure> {
         towards,
     }
     .start_in_solid(&mut s)?;
-    let (density, elastic, _) = steel()?;
-    let c = elastic.longitudinal_speed(density);
+    let c = speed(&s);
     let mut world = world(vec![Body::Solid(s)])?;
     let record = watch(&mut world, END * WIDTH / c, |w| {
         [stress(w, axis, end - towards * PROBE * WIDTH, DX), 0.0]
@@ -169,11 +170,8 @@ fn absorbing(axis: usize) -> Result<Check, Failure> {
 /// A pulse in steel that runs along an absorbing right face.
 fn along() -> Result<Check, Failure> {
     let length = (7.0 * WIDTH / DX).round() as usize;
-    let mut s = steel_block(
-        Plane,
-        [10, length],
-        [Face::Absorbing, Face::Absorbing, Face::Traction],
-    )?;
+    let faces = [Face::Absorbing, Face::Absorbing, Face::Traction];
+    let mut s = steel_block(Plane, [10, length], faces)?;
     let start = -2.0 * WIDTH;
     Pulse {
         axis: 1,
@@ -182,17 +180,67 @@ fn along() -> Result<Check, Failure> {
         towards: -1.0,
     }
     .start_in_solid(&mut s)?;
-    let (density, elastic, _) = steel()?;
-    let c = elastic.longitudinal_speed(density);
+    let c = speed(&s);
     let mut world = world(vec![Body::Solid(s)])?;
     let record = watch(&mut world, 4.0 * WIDTH / c, |w| {
         [stress(w, 1, start - 3.0 * WIDTH, DX), 0.0]
     })?;
-    Ok(Check::relative(
-        "pulse along an absorbing right face of steel: height after 3 widths",
+    Ok(Check::shown(
+        "pulse along an absorbing right face of steel, strip of 10 dx: height after 3 widths",
         "Pa",
-        (extreme(&record, 0), HEIGHT),
-        0.05,
-        "issue 2; the open side must hold the lateral stress of a wave that runs along it",
+        extreme(&record, 0),
+        Some(HEIGHT),
+        "not judged: the dashpots along the face brake a wave at grazing incidence; an open side must be far from what \
+         matters (next row)",
     ))
+}
+
+/// Radius of the load and sizes of the block whose open sides are tried and of one whose echo comes too late, in spacings.
+const LOAD: f64 = 10.0;
+const BLOCK: usize = 80;
+const LARGE_BLOCK: usize = 120;
+
+/// What a load near the axis does to the steel below it, in a block with open sides and in a larger one.
+fn impact() -> Result<Check, Failure> {
+    let (near, far) = rayon::join(|| pressed(BLOCK), || pressed(LARGE_BLOCK));
+    let (near, far) = (near?, far?);
+    let size = |m: f64, x: f64| f64::max(m, x.abs());
+    let peak = far.iter().copied().fold(0.0, size);
+    let difference = near.iter().zip(&far).map(|(a, b)| a - b).fold(0.0, size);
+    Ok(Check::absolute(
+        format!(
+            "axisymmetric block of {BLOCK} dx, load of radius {LOAD} dx: change of the stress 20 dx below it by open sides, \
+             in units of its peak"
+        ),
+        "-",
+        (difference / peak, 0.0),
+        0.05,
+        "issue 2; what returns from the sides must be small beside what the bubble sends",
+    ))
+}
+
+/// -s_zz on the axis 20 spacings below a pulse of pressure on the top of a block of n by n particles.
+fn pressed(n: usize) -> Result<Vec<f64>, Failure> {
+    let faces = [Face::Absorbing, Face::Absorbing, Face::Traction];
+    let mut s = steel_block(Axisymmetric, [n, n], faces)?;
+    let (c, dt) = (speed(&s), s.stable_time_step().dt);
+    let duration = WIDTH / c;
+    let particle = n * (n - 1 - 20);
+    let mut record = Vec::new();
+    s.accelerations();
+    for step in 1..=(8.0 * duration / dt) as u32 {
+        let t = f64::from(step) * dt / duration - 1.5;
+        let now = HEIGHT * (-4.0 * std::f64::consts::LN_2 * t * t).exp();
+        if let Some(top) = s.surface_mut(Side::Top) {
+            let spread = |x: &Vec2| now * (-(x[0] / (LOAD * DX)).powi(2)).exp();
+            top.pressure = top.reference_position.iter().map(spread).collect();
+        }
+        s.step(dt)?;
+        record.push(-s.state.stress[particle].yy);
+    }
+    Ok(record)
+}
+
+fn speed(s: &Solid) -> f64 {
+    s.material.elastic.longitudinal_speed(s.material.density)
 }

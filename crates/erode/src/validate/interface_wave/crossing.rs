@@ -5,7 +5,9 @@
 //! apart), second probe behind it.
 
 use super::column::{DX, Pulse, steel_block, water_column, world};
-use super::record::{Sample, extreme, impulse, part, peak_time, pressure, stress, watch};
+use super::record::{
+    Sample, extreme, impulse, mean_time, part, peak_time, pressure, stress, watch,
+};
 use crate::validate::Failure;
 use crate::validate::materials::{steel, water};
 use erode_sph::Geometry::{self, Axisymmetric};
@@ -31,8 +33,8 @@ pub(super) struct Crossing {
     pub(super) incident_impulse: f64,
     pub(super) reflected_impulse: f64,
     pub(super) transmitted_impulse: f64,
-    /// Speed of the incident pulse, where it starts in steel, m/s.
-    pub(super) speed: Option<f64>,
+    /// Speeds of the middle and of the peak of the incident pulse, where it starts in steel, m/s.
+    pub(super) speed: Option<[f64; 2]>,
     /// Pressure at the probe in front of the interface and behind it.
     pub(super) record: Vec<Sample>,
 }
@@ -92,7 +94,10 @@ pub(super) fn run(
     let speed = match direction {
         Direction::WaterToSteel => None,
         // From the start, which is exact, to the probe.
-        Direction::SteelToWater => peak_time(early, 0).map(|t| (START - PROBE) * from / t),
+        Direction::SteelToWater => {
+            let way = (START - PROBE) * from;
+            peak_time(early, 0).map(|peak| [way / mean_time(early, 0), way / peak])
+        }
     };
     Ok(Crossing {
         geometry,

@@ -39,7 +39,7 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         for crossing in &runs {
             finding.checks.extend(compare(crossing)?);
         }
-        finding.checks.push(speed(&runs, width)?);
+        finding.checks.extend(speed(&runs, width)?);
         if Some(&width) == widths.last() {
             finding.figures.push(figure(&runs));
         }
@@ -115,17 +115,28 @@ fn compare(c: &Crossing) -> Result<Vec<Check>, Failure> {
 }
 
 /// Speed of the pulse in steel, plane strain.
-fn speed(runs: &[Crossing], width: usize) -> Result<Check, Failure> {
+fn speed(runs: &[Crossing], width: usize) -> Result<Vec<Check>, Failure> {
     let measured = runs.iter().find_map(|c| c.speed);
     let measured = measured.ok_or_else(|| Failure::Absent("no pulse was timed in steel".into()))?;
     let reference = coefficient(Direction::SteelToWater, "c_steel_m_per_s")?;
-    Ok(Check::relative(
-        format!("speed of a pulse of {width} spacings (in water) in steel"),
-        "m/s",
-        (measured, reference),
-        0.01,
-        "dispersion of the kernel is 0.1 % at this width; a wrong modulus is off by 14 % or more",
-    ))
+    let pulse = format!("a pulse of {width} spacings (in water) in steel");
+    Ok(vec![
+        Check::relative(
+            format!("speed of the middle of {pulse}"),
+            "m/s",
+            (measured[0], reference),
+            0.01,
+            "half a percent by the viscosity, which acts on the front alone; a wrong modulus is off by 14 % or more",
+        ),
+        Check::shown(
+            format!("speed of the peak of {pulse}"),
+            "m/s",
+            measured[1],
+            Some(reference),
+            "not judged: the viscosity wears down the front alone, so the peak falls back in the pulse; without it the \
+             speed is right to 0.1 %",
+        ),
+    ])
 }
 
 fn figure(runs: &[Crossing]) -> Figure {

@@ -112,3 +112,14 @@ pub(super) fn peak_time(record: &[Sample], k: usize) -> Option<f64> {
     let shift = 0.5 * (a - c) / (a - 2.0 * b + c);
     Some(record[i].time + shift * (record[i + 1].time - record[i].time))
 }
+
+/// Mean time at which probe `k` sees the pulse, weighted with its value.
+pub(super) fn mean_time(record: &[Sample], k: usize) -> f64 {
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for w in record.windows(2) {
+        let dt = w[1].time - w[0].time;
+        sum += dt * w[1].value[k] * w[1].time;
+        weight += dt * w[1].value[k];
+    }
+    sum / weight
+}

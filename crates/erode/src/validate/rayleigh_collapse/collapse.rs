@@ -31,8 +31,8 @@ const CORE: f64 = 1.4 * R0;
 /// Growth of the spacing at 30 particles per radius; it scales with 1/n so that the whole family refines.
 const GROWTH: f64 = 0.06;
 
-/// Steps between two looks at the cavity.
-const LOOK: u64 = 2;
+/// Steps between two looks at the cavity: above and below this radius, R/R0.
+const LOOK: (u64, u64, f64) = (4, 1, 0.6);
 
 /// More steps mean that the collapse does not end.
 const MOST_STEPS: u64 = 100_000;
@@ -63,6 +63,12 @@ impl Collapse {
     pub(super) fn speed_at(&self, radius: f64) -> Result<f64, Failure> {
         let speed = history::speed_at(&self.samples, radius);
         speed.map(|v| v * R0).ok_or_else(|| self.absent(radius))
+    }
+
+    /// Change of energy that the ledger does not explain, at R = 0.3 R0, in units of the initial energy.
+    pub(super) fn ledger_defect(&self) -> Result<f64, Failure> {
+        let (start, end) = (self.samples[0], self.at(0.3)?);
+        Ok((end.energy + end.balance - start.balance) / start.energy - 1.0)
     }
 
     /// First sample at or below a radius (R/R0).
@@ -138,7 +144,8 @@ pub(super) fn run(n: usize) -> Result<Collapse, Failure> {
     let mut samples = vec![look(&world, dx, R0)?];
     let mut radius = samples[0].radius;
     while radius > smallest {
-        for _ in 0..LOOK {
+        let steps = if radius > LOOK.2 { LOOK.0 } else { LOOK.1 };
+        for _ in 0..steps {
             let dt = world.stable_time_step().0;
             world.advance(dt)?;
         }

@@ -18,22 +18,14 @@ pub(super) struct Sample {
 /// Half of the range of radii from which a speed is read, relative to the radius.
 const HALF_RANGE: f64 = 0.06;
 
-/// Straight line through the points near a radius.
-struct Fit {
-    /// d(R^(5/2))/dt, 1/s.
-    slope: f64,
-    time: f64,
-    power: f64,
-}
-
-/// Least squares of R^(5/2), which late in a collapse is linear in time, within [`HALF_RANGE`] of a radius.
-fn fit(samples: &[Sample], radius: f64) -> Option<Fit> {
+/// d(R^(5/2))/dt (1/s) by least squares within [`HALF_RANGE`] of a radius; late in a collapse R^(5/2) is linear in time.
+fn slope(samples: &[Sample], radius: f64) -> Option<f64> {
     let near = |s: &&Sample| (s.radius / radius - 1.0).abs() <= HALF_RANGE;
-    let points: Vec<(f64, f64)> = samples
+    let powers = samples
         .iter()
         .filter(near)
-        .map(|s| (s.time, s.radius.powf(2.5)))
-        .collect();
+        .map(|s| (s.time, s.radius.powf(2.5)));
+    let points: Vec<(f64, f64)> = powers.collect();
     if points.len() < 3 {
         return None;
     }
@@ -45,8 +37,7 @@ fn fit(samples: &[Sample], radius: f64) -> Option<Fit> {
         xx += (t - time).powi(2);
         xy += (t - time) * (y - power);
     }
-    let slope = xy / xx;
-    Some(Fit { slope, time, power })
+    Some(xy / xx)
 }
 
 /// Time at which the radius is first reached, s: linear between samples.
@@ -60,11 +51,10 @@ pub(super) fn time_at(samples: &[Sample], radius: f64) -> Option<f64> {
 
 /// Speed of the wall inwards at a radius in units of R0, R0/s.
 pub(super) fn speed_at(samples: &[Sample], radius: f64) -> Option<f64> {
-    let fit = fit(samples, radius)?;
-    Some(-fit.slope / (2.5 * radius.powf(1.5)))
+    Some(-slope(samples, radius)? / (2.5 * radius.powf(1.5)))
 }
 
-/// The sample nearest to a radius on its first way down.
+/// The first sample at or below a radius.
 pub(super) fn sample_at(samples: &[Sample], radius: f64) -> Option<&Sample> {
     samples.iter().find(|s| s.radius <= radius)
 }
