@@ -4,4 +4,5 @@ pub mod case;
 pub mod materials;
 pub mod output;
 pub mod report;
+pub mod run;
 pub mod validate;

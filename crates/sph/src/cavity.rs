@@ -32,6 +32,17 @@ pub struct Cavity {
     pub inner_radius: f64,
     /// Lowest and highest second coordinate with colour 1/2, m.
     pub extent: [f64; 2],
+    /// The same along the axis; NaN for a void that does not touch it.
+    pub axis_extent: [f64; 2],
+}
+
+impl Cavity {
+    /// Length of the void along the axis, m; zero if it does not touch it.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        let gap = self.axis_extent[1] - self.axis_extent[0];
+        if gap.is_finite() { gap } else { 0.0 }
+    }
 }
 
 /// Colour of every cell of a window.
@@ -65,7 +76,7 @@ impl Colour {
         for (i, x) in position.iter().enumerate() {
             let a = ghosts.particle(fluid.len(), i);
             let h = fluid.smoothing_length[a];
-            if colour.add(*x, fluid.area(a), h) {
+            if colour.add(*x, fluid.filled_area(a), h) {
                 finest = finest.min(h);
             }
         }
@@ -195,7 +206,8 @@ impl Colour {
 
     fn measure(&self, label: &[u32], rim: &[u32], which: u32) -> Cavity {
         let (mut volume, mut moment) = (0.0, [0.0; 2]);
-        let (mut inner, mut extent) = (f64::INFINITY, [f64::INFINITY, f64::NEG_INFINITY]);
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let (mut inner, mut extent, mut axis_extent) = (f64::INFINITY, nothing, nothing);
         for k in 0..rim.len() {
             let x = self.centre(k % self.size[0], k / self.size[0]);
             if rim[k] == which {
@@ -206,6 +218,9 @@ impl Colour {
             if label[k] == which {
                 inner = inner.min(x[0]);
                 extent = [extent[0].min(x[1]), extent[1].max(x[1])];
+                if k % self.size[0] == 0 {
+                    axis_extent = [axis_extent[0].min(x[1]), axis_extent[1].max(x[1])];
+                }
             }
         }
         let on_axis = self.geometry == Geometry::Axisymmetric && inner < self.window.cell;
@@ -213,16 +228,19 @@ impl Colour {
             if on_axis { 0.0 } else { moment[0] / volume },
             moment[1] / volume,
         ];
+        let axis_extent = if on_axis { axis_extent } else { [f64::NAN; 2] };
+        let inner_radius = if on_axis { 0.0 } else { inner };
         Cavity {
             volume,
             centre,
-            inner_radius: if on_axis { 0.0 } else { inner },
+            inner_radius,
             extent,
+            axis_extent,
         }
     }
 
     /// Radius of the void about `centre` along `rays` directions at equal polar angles from the upper pole (m): the radius r
-    /// with r^3/3 = integral of (1 - c) s^2 ds along the ray, out to the first place with c > 1 - `RIM` behind the surface.
+    /// with r^3/3 = integral of (1 - c) s^2 ds along the ray, out to one kernel support behind the surface.
     #[must_use]
     pub fn radii(&self, centre: Vec2, rays: usize) -> Vec<f64> {
         (0..rays)

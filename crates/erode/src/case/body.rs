@@ -10,6 +10,7 @@ use crate::materials::Library;
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 
 /// A body and the places in the text that its later errors point to.
+#[derive(Clone)]
 pub(crate) struct Built {
     pub(crate) body: Body,
     /// Name or setup.
@@ -47,20 +48,20 @@ pub(crate) fn read(
     // Each part records its errors before the first missing one ends the body.
     let kind = kind(f, library, findings);
     let region = f.table("shape").and_then(|s| shape(s, geometry, findings));
-    let mut holes: Vec<(Shape, Span)> = Vec::new();
-    for hole in f.list("hole") {
-        holes.push((
-            hole.fields().and_then(|s| shape(s, geometry, findings))?,
-            hole.span,
-        ));
-    }
-    let spacing_fields = f.table("spacing")?;
-    let spacing = spacing(spacing_fields, geometry, findings);
+    let holes: Vec<Option<(Shape, Span)>> = f
+        .list("hole")
+        .iter()
+        .map(|hole| Some((shape(hole.fields()?, geometry, findings)?, hole.span)))
+        .collect();
+    let spacing = f
+        .table("spacing")
+        .and_then(|s| spacing(s, geometry, findings));
     let (region, kind) = (region?, kind?);
     let sides = sides(f, &region, &kind, geometry, findings);
     let at = f.at("name");
     let side_spans =
         ["left", "right", "bottom", "top"].map(|s| f.table("sides").map_or(at, |t| t.at(s)));
+    let holes: Vec<(Shape, Span)> = holes.into_iter().collect::<Option<_>>()?;
     let (holes, hole_spans) = holes.into_iter().unzip();
     let body = Body {
         name: f.text("name")?.to_owned(),
@@ -70,7 +71,7 @@ pub(crate) fn read(
         spacing: spacing?,
         sides: sides?,
     };
-    let resolution = spacing_fields.at("finest");
+    let resolution = f.table("spacing")?.at("finest");
     Some(Built {
         body,
         at,

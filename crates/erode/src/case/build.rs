@@ -13,6 +13,8 @@ use crate::materials::Library;
 use erode_sph::Geometry;
 
 /// Builds the simulation; nothing when an error keeps a part of it from existing.
+///
+/// Where an error leaves a choice open, its default stands in, so that what follows is still checked.
 pub(crate) fn simulation(
     root: &Node,
     library: &mut Library,
@@ -22,45 +24,23 @@ pub(crate) fn simulation(
     for (name, material) in f.table("material").map_or(&[][..], |t| t.entries) {
         library.add(name, material);
     }
-    let geometry = match f.chosen("geometry")?.0 {
-        "plane" => Geometry::Plane,
+    let geometry = match f.chosen("geometry") {
+        Some(("plane", _)) => Geometry::Plane,
         _ => Geometry::Axisymmetric,
     };
-    let setup = f
-        .chosen("setup")
-        .and_then(|(name, s)| setups::expand(name, s, geometry, library, findings));
-    let own = f.list("body");
-    let mut bodies: Vec<Built> = own
-        .iter()
-        .filter_map(|b| body::read(b, geometry, library, findings))
-        .collect();
+    let setup = f.chosen("setup");
+    let setup = setup.and_then(|(name, s)| setups::expand(name, s, geometry, library, findings));
     let run = run(f, setup.as_ref(), findings);
-    if f.node("setup").is_none() && f.node("body").is_none() {
-        let help = "write [setup.bubble_near_wall], [setup.bubble_in_liquid] or [[body]] blocks; `erode new` has templates";
-        findings.error(
-            f.span,
-            "the case has neither a setup nor a body",
-            "nothing to compute",
-            help,
-        );
-    }
-    // When a body is missing because of an error, what refers to it cannot be judged.
-    let expected = own.len() + usize::from(f.node("setup").is_some() && setup.is_none());
-    let complete = bodies.len() == expected;
-    let (mut title, mut bubble) = (f.text("title")?.to_owned(), None);
-    if let Some(expansion) = setup {
-        bodies = expansion.bodies.into_iter().chain(bodies).collect();
-        bubble = Some(expansion.bubble);
-        if title.is_empty() {
-            title = expansion.title;
-        }
-    }
-    if let Some(own) = own_bubble(f, &bodies, bubble, complete, findings) {
-        bubble = Some(own);
-    }
+    let (bodies, complete) = bodies(f, setup.as_ref(), geometry, library, findings);
+    let of_setup = setup.as_ref().map(|s| s.bubble);
+    let bubble = own_bubble(f, &bodies, of_setup, complete, findings).or(of_setup);
     let probes = probes(f, &bodies, complete, findings);
     relations::check(&bodies, complete, geometry, findings);
     estimate::check_memory(&bodies, geometry, findings);
+    let title = f.text("title")?;
+    let title = setup
+        .filter(|_| title.is_empty())
+        .map_or_else(|| title.to_owned(), |s| s.title);
     let run = run?;
     let output = output(f, run.end_time)?;
     let bodies = bodies.into_iter().map(|b| b.body).collect();
@@ -73,6 +53,35 @@ pub(crate) fn simulation(
         probes,
         bubble,
     })
+}
+
+/// The bodies of the setup and of the file, and whether none is missing because of an error.
+fn bodies(
+    f: Fields<'_>,
+    setup: Option<&Expansion>,
+    geometry: Geometry,
+    library: &Library,
+    findings: &mut Findings,
+) -> (Vec<Built>, bool) {
+    let own = f.list("body");
+    if f.node("setup").is_none() && f.node("body").is_none() {
+        let help = "write [setup.bubble_near_wall], [setup.bubble_in_liquid] or [[body]] blocks; `erode new` has templates";
+        findings.error(
+            f.span,
+            "the case has neither a setup nor a body",
+            "nothing to compute",
+            help,
+        );
+    }
+    let mut bodies = setup.map(|s| s.bodies.clone()).unwrap_or_default();
+    let expected = bodies.len() + own.len();
+    bodies.extend(
+        own.iter()
+            .filter_map(|b| body::read(b, geometry, library, findings)),
+    );
+    let setup_failed = f.node("setup").is_some() && setup.is_none();
+    let complete = bodies.len() == expected && !setup_failed;
+    (bodies, complete)
 }
 
 fn run(f: Fields<'_>, setup: Option<&Expansion>, findings: &mut Findings) -> Option<Run> {

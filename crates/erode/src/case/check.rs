@@ -1,12 +1,13 @@
 //! Checks a text against its keys and records every error in one pass.
 
 use super::{
+    check_blocks::{check_list, check_map, check_texts},
     check_value::check_scalar,
     error::{Findings, Span},
     node::{Data, Node},
     raw::{Entry, Raw, RawTable, RawValue},
     schema::{Key, Kind, Need, Table},
-    suggest::did_you_mean,
+    suggest::{closest, did_you_mean},
 };
 
 /// Checks a table. `path` is its name as written in brackets, empty for the whole file.
@@ -19,10 +20,11 @@ pub(crate) fn check_table(
 ) -> Node {
     let mut entries = Vec::new();
     let chosen = check_choice(raw, span, schema, path, findings);
-    for entry in &raw.entries {
-        if schema.key(&entry.key).is_none() {
-            unknown_key(entry, schema, path, findings);
-        }
+    // A key that is only misspelt is not reported as missing too.
+    let mut meant = Vec::new();
+    for entry in raw.entries.iter().filter(|e| schema.key(&e.key).is_none()) {
+        unknown_key(entry, schema, path, findings);
+        meant.extend(closest(&entry.key, schema.keys.iter().map(|k| k.name)));
     }
     for key in schema.keys {
         let is_alternative = schema.one_of.contains(&key.name);
@@ -31,6 +33,7 @@ pub(crate) fn check_table(
         }
         let node = match raw.get(key.name) {
             Some(entry) => Some(check_entry(entry, key, &join(path, key.name), findings)),
+            None if key.need == Need::Required && meant.contains(&key.name) => None,
             None => absent(key, span, path, findings),
         };
         entries.extend(node.map(|n| (key.name.to_owned(), n)));
@@ -220,116 +223,16 @@ fn default_value(kind: Kind, text: &str, span: Span) -> Raw {
     Raw { span, value }
 }
 
-fn check_list(
-    list: &[Raw],
-    span: Span,
-    schema: &'static Table,
-    path: &str,
-    findings: &mut Findings,
-) -> Node {
-    if list.is_empty() {
-        let help = format!("write [[{path}]] blocks, or leave `{path}` out");
-        findings.error(
-            span,
-            format!("`{path}` is an empty array"),
-            "nothing in here",
-            help,
-        );
-    }
-    let mut nodes = Vec::new();
-    for (i, raw) in list.iter().enumerate() {
-        nodes.push(match &raw.value {
-            RawValue::Table(t) => {
-                check_table(t, raw.span, schema, &format!("{path}.{i}"), findings)
-            }
-            other => {
-                let message = format!("`{path}` must hold tables, but this is {}", other.kind());
-                findings.error(
-                    raw.span,
-                    message,
-                    "expected a table",
-                    format!("write it as [[{path}]]"),
-                );
-                Node {
-                    span: raw.span,
-                    data: Data::Bad,
-                }
-            }
-        });
-    }
-    Node {
-        span,
-        data: Data::List(nodes),
-    }
-}
-
-fn check_map(
-    table: &RawTable,
-    span: Span,
-    schema: &'static Table,
-    path: &str,
-    findings: &mut Findings,
-) -> Node {
-    let mut entries = Vec::new();
-    for entry in &table.entries {
-        let inner = join(path, &entry.key);
-        let node = if let RawValue::Table(t) = &entry.value.value {
-            check_table(t, entry.key_span, schema, &inner, findings)
-        } else {
-            let message = format!(
-                "`{inner}` must be a table, but this is {}",
-                entry.value.value.kind()
-            );
-            findings.error(
-                entry.value.span,
-                message,
-                "expected a table",
-                format!("write it as [{inner}]"),
-            );
-            Node {
-                span: entry.value.span,
-                data: Data::Bad,
-            }
-        };
-        entries.push((entry.key.clone(), node));
-    }
-    Node {
-        span,
-        data: Data::Table(entries),
-    }
-}
-
-fn check_texts(table: &RawTable, span: Span, path: &str, findings: &mut Findings) -> Node {
-    let mut entries = Vec::new();
-    for entry in &table.entries {
-        let data = if let RawValue::Text(s) = &entry.value.value {
-            Data::Text(s.clone())
-        } else {
-            let message = format!("`{}` in {} must be a text", entry.key, title(path));
-            findings.error(entry.value.span, message, "expected a text in quotes", "");
-            Data::Bad
-        };
-        entries.push((
-            entry.key.clone(),
-            Node {
-                span: entry.value.span,
-                data,
-            },
-        ));
-    }
-    Node {
-        span,
-        data: Data::Table(entries),
-    }
-}
-
 /// An example line for a key.
 pub(crate) fn example(key: &Key) -> String {
     match key.kind {
         Kind::Text | Kind::Name => format!("{} = \"...\"", key.name),
         Kind::Switch => format!("{} = true", key.name),
         Kind::Count(_) => format!("{} = 30", key.name),
-        Kind::Quantity(d, _) | Kind::Property(d, _) => format!("{} = {}", key.name, d.example()),
+        Kind::Quantity(d, _) | Kind::Property(d, _) => match key.need {
+            Need::Default(value) if d == super::units::NUMBER => format!("{} = {value}", key.name),
+            _ => format!("{} = {}", key.name, d.example()),
+        },
         Kind::Pair(d) => format!("{} = [{e}, {e}]", key.name, e = d.example()),
         Kind::Table(t) if !t.one_of.is_empty() => {
             format!("{}.{} = {{ ... }}", key.name, t.one_of[0])
@@ -339,7 +242,7 @@ pub(crate) fn example(key: &Key) -> String {
     }
 }
 
-fn join(path: &str, key: &str) -> String {
+pub(super) fn join(path: &str, key: &str) -> String {
     if path.is_empty() {
         key.to_owned()
     } else {
@@ -348,7 +251,7 @@ fn join(path: &str, key: &str) -> String {
 }
 
 /// How a table is called in messages.
-fn title(path: &str) -> String {
+pub(super) fn title(path: &str) -> String {
     if path.is_empty() {
         "the case".to_owned()
     } else {

@@ -136,23 +136,22 @@ fn property(
         );
         return Data::Bad;
     };
-    let source = match table.get("source").map(|e| &e.value) {
-        None => None,
-        Some(Raw {
-            value: RawValue::Text(s),
-            ..
-        }) => Some(s.clone()),
-        Some(other) => {
-            let message = format!("the source of `{}` must be a text", key.name);
-            findings.error(other.span, message, "expected a text in quotes", "");
-            None
-        }
-    };
+    let source = property_source(table, key, findings);
     quantity(&value.value, d, range, key, findings).map_or(Data::Bad, |x| Data::Property {
         value: x,
         dimension: d,
         source,
     })
+}
+
+fn property_source(table: &RawTable, key: &Key, findings: &mut Findings) -> Option<String> {
+    let given = &table.get("source")?.value;
+    if let RawValue::Text(s) = &given.value {
+        return Some(s.clone());
+    }
+    let message = format!("the source of `{}` must be a text", key.name);
+    findings.error(given.span, message, "expected a text in quotes", "");
+    None
 }
 
 /// A number in SI, or the error that keeps it from being one.
@@ -163,74 +162,82 @@ fn quantity(
     key: &Key,
     findings: &mut Findings,
 ) -> Option<f64> {
-    let wanted = format!("`{}` is {}", key.name, d.name());
-    let help = format!(
-        "plain numbers are SI ({d}); with a unit, for example {} = {}",
-        key.name,
-        d.example()
-    );
-    let value = match &raw.value {
-        RawValue::Integer(x) | RawValue::Float(x) => *x,
-        RawValue::Text(text) => match units::parse(text) {
-            Ok(q) if q.dimension.is_none() || q.dimension == Some(d) => q.value,
-            Ok(q) => {
-                let found = q.dimension.map_or_else(String::new, Dimension::name);
-                findings.error(
-                    raw.span,
-                    format!("{wanted}, but {text:?} is {found}"),
-                    "wrong dimension",
-                    help,
-                );
-                return None;
-            }
-            Err(e) => {
-                findings.error(
-                    raw.span,
-                    format!("{wanted}, but {text:?} cannot be read"),
-                    e.to_string(),
-                    help,
-                );
-                return None;
-            }
-        },
-        other => {
-            findings.error(
-                raw.span,
-                format!("{wanted}, but this is {}", other.kind()),
-                "expected a number",
-                help,
-            );
+    let value = match number(raw, d) {
+        Ok(value) => value,
+        Err((found, label, hint)) => {
+            let help = format!("{hint}{}", how_to_write(d, key));
+            let message = format!("`{}` is {}, but {found}", key.name, d.name());
+            findings.error(raw.span, message, label, help);
             return None;
         }
     };
     if !value.is_finite() {
         let message = format!("`{}` must be finite, but is {value}", key.name);
-        findings.error(raw.span, message, "not a finite number", help);
+        findings.error(
+            raw.span,
+            message,
+            "not a finite number",
+            how_to_write(d, key),
+        );
         return None;
     }
     if !range.contains(value) {
+        let unit = if d == units::NUMBER {
+            String::new()
+        } else {
+            format!(" {d}")
+        };
         let message = format!(
-            "`{}` must be {}, but is {value} {}",
+            "`{}` must be {}, but is {value}{unit}",
             key.name,
-            range.rule(),
-            unit_suffix(d)
+            range.rule()
         );
-        let help = format!("it is the {}", key.about);
         findings.error(
             raw.span,
-            message.trim_end().to_owned(),
+            message,
             "out of range",
-            help,
+            format!("it is the {}", key.about),
         );
         return None;
     }
     Some(value)
 }
 
-fn unit_suffix(d: Dimension) -> String {
-    if d == units::NUMBER {
-        String::new()
-    } else {
-        d.to_string()
+/// The number of a quantity of dimension `d`, or (what was found, label, hint).
+fn number(raw: &Raw, d: Dimension) -> Result<f64, (String, String, String)> {
+    match &raw.value {
+        RawValue::Integer(x) | RawValue::Float(x) => Ok(*x),
+        RawValue::Text(text) => match units::parse(text) {
+            Ok(q) if q.dimension.is_none_or(|found| found == d) => Ok(q.value),
+            Ok(q) => {
+                let found = q.dimension.map_or_else(String::new, Dimension::name);
+                Err((
+                    format!("{text:?} is {found}"),
+                    "wrong dimension".to_owned(),
+                    String::new(),
+                ))
+            }
+            Err(e) => {
+                let hint = format!(
+                    "{}{} ",
+                    e.hint,
+                    if e.hint.ends_with('?') { "" } else { ";" }
+                );
+                Err((format!("{text:?} cannot be read"), e.why, hint))
+            }
+        },
+        other => Err((
+            format!("this is {}", other.kind()),
+            "expected a number".to_owned(),
+            String::new(),
+        )),
     }
+}
+
+fn how_to_write(d: Dimension, key: &Key) -> String {
+    let example = super::check::example(key);
+    if d == units::NUMBER {
+        return format!("write a plain number, for example {example}");
+    }
+    format!("plain numbers are SI ({d}); with a unit, for example {example}")
 }

@@ -25,7 +25,7 @@ pub struct CaseError {
     pub message: String,
     /// What is allowed, or how to go on.
     pub help: Option<String>,
-    place: Option<Place>,
+    place: Option<Box<Place>>,
 }
 
 #[derive(Debug, Clone)]
@@ -154,14 +154,14 @@ impl Findings {
         let line = before.matches('\n').count() + 1;
         let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
         let named = NamedSource::new(&source.name, Arc::clone(&source.text));
-        let place = Some(Place {
+        let place = Some(Box::new(Place {
             source: named,
             start,
             end,
             line,
             column,
             label: label.into(),
-        });
+        }));
         let help = Some(help.into()).filter(|h: &String| !h.is_empty());
         self.found.push((
             Some(span),

@@ -16,6 +16,9 @@ pub const BYTES_PER_PARTICLE: f64 = 2000.0;
 /// Assumed speed: particles times steps per second of wall time.
 pub const PARTICLE_STEPS_PER_SECOND: f64 = 1.0e6;
 
+/// Memory taken for granted where the system does not tell, bytes.
+const ASSUMED_MEMORY: f64 = 64e9;
+
 /// Size and cost of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
@@ -112,16 +115,15 @@ pub(crate) fn check_memory(bodies: &[Built], geometry: Geometry, findings: &mut 
         .collect();
     let total: f64 = counts.iter().sum();
     let need = total * BYTES_PER_PARTICLE;
-    let Some(available) = available_memory() else {
-        return;
-    };
+    let (available, how) =
+        available_memory().map_or((ASSUMED_MEMORY, "assumed"), |m| (m, "available"));
     if need <= available {
         return;
     }
     let largest = (0..bodies.len()).max_by(|a, b| counts[*a].total_cmp(&counts[*b]));
     if let Some(i) = largest {
         let message = format!(
-            "this resolution cannot fit in memory: about {total:.2e} particles need {}, {} are available",
+            "this resolution cannot fit in memory: about {total:.2e} particles need {}, {} are {how}",
             bytes(need),
             bytes(available)
         );

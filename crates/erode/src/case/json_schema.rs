@@ -3,7 +3,6 @@
 use super::{
     keys::CASE,
     schema::{Key, Kind, Need, Range, Table},
-    units::Dimension,
 };
 use serde_json::{Map, Value, json};
 
@@ -72,15 +71,15 @@ fn kind(kind: Kind) -> Value {
         Kind::Name => json!({ "type": "string", "pattern": "^[A-Za-z0-9_-]{1,60}$" }),
         Kind::Switch => json!({ "type": "boolean" }),
         Kind::Count(least) => json!({ "type": "integer", "minimum": least }),
-        Kind::Quantity(d, range) => quantity(d, range),
-        Kind::Pair(d) => {
-            json!({ "type": "array", "items": quantity(d, Range::Any), "minItems": 2, "maxItems": 2 })
+        Kind::Quantity(_, range) => quantity(range),
+        Kind::Pair(_) => {
+            json!({ "type": "array", "items": quantity(Range::Any), "minItems": 2, "maxItems": 2 })
         }
-        Kind::Property(d, range) => json!({ "anyOf": [
-            quantity(d, range),
+        Kind::Property(_, range) => json!({ "anyOf": [
+            quantity(range),
             {
                 "type": "object",
-                "properties": { "value": quantity(d, range), "source": { "type": "string" } },
+                "properties": { "value": quantity(range), "source": { "type": "string" } },
                 "required": ["value"],
                 "additionalProperties": false,
             },
@@ -93,7 +92,7 @@ fn kind(kind: Kind) -> Value {
 }
 
 /// A number in SI, or a text with a number and a unit.
-fn quantity(_: Dimension, range: Range) -> Value {
+fn quantity(range: Range) -> Value {
     let mut number = json!({ "type": "number" });
     match range {
         Range::Any => {}

@@ -49,8 +49,8 @@ pub(crate) fn solid(
     findings: &mut Findings,
 ) -> Option<(f64, Elastic, Strength)> {
     let terms = Terms {
-        strain_rate: fields.switch("strain_rate")?,
-        thermal_softening: fields.switch("thermal_softening")?,
+        strain_rate: fields.switch("strain_rate").unwrap_or(true),
+        thermal_softening: fields.switch("thermal_softening").unwrap_or(false),
     };
     let name = fields.text(key)?;
     let material = with_own(name, "solid", own, library);
@@ -96,18 +96,7 @@ fn report<'a>(
     findings: &mut Findings,
 ) {
     let Some(material) = library.get(name) else {
-        let all: Vec<&str> = library.iter().map(|m| m.name.as_str()).collect();
-        let mut help = did_you_mean(
-            name,
-            usable.clone(),
-            &format!("materials that can be {role}"),
-        );
-        if let (None, Some(other)) = (closest(name, usable), closest(name, all.into_iter())) {
-            help = format!("did you mean `{other}`? {help}");
-        }
-        help.push_str(
-            "; `erode materials` shows them, a folder `materials` beside the case adds own ones",
-        );
+        let help = unknown_help(name, role, usable, library);
         findings.error(
             span,
             format!("there is no material `{name}`"),
@@ -116,22 +105,12 @@ fn report<'a>(
         );
         return;
     };
-    let list = missing.join(", ");
-    let mut reasons: Vec<String> = Vec::new();
-    for path in missing {
-        if let Some(why) = material.missing.get(path) {
-            let last = path.rsplit('.').next().unwrap_or(path);
-            reasons.push(format!("{last}: {why}"));
-        }
-    }
-    let mut help = String::new();
-    if !reasons.is_empty() {
-        help = format!("{}. ", reasons.join("; "));
-    }
-    let table = missing[0].rsplit_once('.').map_or("", |(table, _)| table);
-    let last = missing[0].rsplit('.').next().unwrap_or_default();
+    let mut help = reasons(material, missing);
+    let (table, last) = missing[0]
+        .rsplit_once('.')
+        .unwrap_or(("solid", &missing[0]));
     help.push_str(&format!(
-        "Give what is missing in the case, as [material.{name}.{table}] {last} = ..."
+        "Give what is missing in the case: [material.{name}.{table}] {last} = ..."
     ));
     if missing
         .iter()
@@ -141,12 +120,50 @@ fn report<'a>(
     }
     let usable: Vec<&str> = usable.collect();
     help.push_str(&format!(". Complete as {role}: {}", usable.join(", ")));
-    findings.error(
-        span,
-        format!("`{name}` cannot be used as {role}: it lacks {list}"),
-        "incomplete",
-        help,
+    let message = format!(
+        "`{name}` cannot be used as {role}: it lacks {}",
+        missing.join(", ")
     );
+    findings.error(span, message, "incomplete", help);
+}
+
+fn unknown_help<'a>(
+    name: &str,
+    role: &str,
+    usable: impl Iterator<Item = &'a str> + Clone,
+    library: &Library,
+) -> String {
+    let list = did_you_mean(
+        name,
+        usable.clone(),
+        &format!("materials that can be {role}"),
+    );
+    // A misspelt name may also belong to a material that cannot be used here.
+    let other = closest(name, library.iter().map(|m| m.name.as_str()));
+    let other = other.filter(|_| closest(name, usable).is_none());
+    let other = other.map_or_else(String::new, |o| format!("did you mean `{o}`? "));
+    format!(
+        "{other}{list}; `erode materials` shows them, a folder `materials` beside the case adds own ones"
+    )
+}
+
+/// What the sources say about missing properties: "b, n: no hardening in the source. "
+fn reasons(material: &Material, missing: &[String]) -> String {
+    let mut grouped: Vec<(&str, Vec<&str>)> = Vec::new();
+    for path in missing {
+        let Some(why) = material.missing.get(path) else {
+            continue;
+        };
+        let last = path.rsplit('.').next().unwrap_or(path);
+        match grouped.iter_mut().find(|(w, _)| w == why) {
+            Some((_, names)) => names.push(last),
+            None => grouped.push((why, vec![last])),
+        }
+    }
+    grouped
+        .iter()
+        .map(|(why, names)| format!("{}: {why}. ", names.join(", ")))
+        .collect()
 }
 
 /// Discrete form of a liquid under `key`.

@@ -111,13 +111,15 @@ fn read(
         );
         simulation = build::simulation(&node, &mut library, &mut findings);
     }
-    let complete = simulation.is_some();
     match (findings.into_errors(), simulation) {
         (None, Some(s)) => Ok(s),
         (Some(errors), _) => Err(errors),
         (None, None) => {
-            debug_assert!(complete, "a case without simulation must have an error");
-            Err(CaseError::whole("the case cannot be understood", "please report this case").into())
+            let message = "the case cannot be understood, and Erode cannot say why";
+            Err(
+                CaseError::whole(message, "this is a fault of Erode: please report the case")
+                    .into(),
+            )
         }
     }
 }

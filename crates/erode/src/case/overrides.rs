@@ -5,6 +5,8 @@ use super::{
     raw::{Entry, Raw, RawTable, RawValue, parse},
 };
 
+const HELP: &str = "write --set path.to.key=value, for example --set run.end_time=\"2 us\"";
+
 /// Parses one override and merges it into the case.
 pub(crate) fn apply(case: &mut RawTable, text: &str, findings: &mut Findings) {
     let source = findings.add_source("--set", text);
@@ -14,48 +16,48 @@ pub(crate) fn apply(case: &mut RawTable, text: &str, findings: &mut Findings) {
         end: text.len(),
     };
     let Some(split) = text.find('=') else {
-        let help = "write --set path.to.key=value, for example --set run.end_time=\"2 us\"";
         findings.error(
             whole,
             "an override needs a path and a value",
             "no `=` in here",
-            help,
+            HELP,
         );
         return;
     };
-    let mut trial = Findings::default();
-    trial.add_source("--set", text);
-    let parsed = parse(0, &mut trial);
-    if trial.count() == 0 {
+    if parse_alone(text).is_some() {
         merge(case, parse(source, findings), findings);
         return;
     }
-    drop(parsed);
     // A value that is no TOML is a text without quotes.
     let (path, value) = (&text[..split], text[split + 1..].trim());
     let quoted = format!("{path}= {}", toml::Value::String(value.to_owned()));
-    let mut trial = Findings::default();
-    trial.add_source("--set", &quoted);
-    let mut table = parse(0, &mut trial);
-    if trial.count() > 0 || value.is_empty() {
-        let help = "write --set path.to.key=value, for example --set run.end_time=\"2 us\"";
-        findings.error(
+    match parse_alone(&quoted) {
+        Some(mut table) if !value.is_empty() => {
+            relocate(
+                &mut table,
+                Span {
+                    source,
+                    start: split + 1,
+                    end: text.len(),
+                },
+            );
+            merge(case, table, findings);
+        }
+        _ => findings.error(
             whole,
             "this override cannot be read",
             "not `path.to.key=value`",
-            help,
-        );
-        return;
+            HELP,
+        ),
     }
-    relocate(
-        &mut table,
-        Span {
-            source,
-            start: split + 1,
-            end: text.len(),
-        },
-    );
-    merge(case, table, findings);
+}
+
+/// A text by itself, if it is TOML.
+fn parse_alone(text: &str) -> Option<RawTable> {
+    let mut findings = Findings::default();
+    let source = findings.add_source("--set", text);
+    let table = parse(source, &mut findings);
+    (findings.count() == 0).then_some(table)
 }
 
 /// Moves the places of a text that was parsed with added quotes back into the text as given.

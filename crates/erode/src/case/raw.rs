@@ -28,7 +28,7 @@ impl RawValue {
         match self {
             Self::Text(_) => "a text",
             Self::Integer(_) => "an integer",
-            Self::Float(_) => "a number",
+            Self::Float(_) => "a decimal number",
             Self::Switch(_) => "true or false",
             Self::Date => "a date",
             Self::List(_) => "an array",
@@ -70,7 +70,8 @@ pub(crate) fn parse(source: usize, findings: &mut Findings) -> RawTable {
             start: at.start,
             end: at.end,
         };
-        let message = format!("this is not valid TOML: {}", e.message());
+        let what = e.message().trim_end_matches(", expected nothing");
+        let message = format!("this is not valid TOML: {what}");
         let help = "a line is `key = value` or `[table]`; texts and quantities stand in quotes: radius = \"0.15 mm\"";
         findings.error(span, message, "", help);
     }

@@ -2,7 +2,7 @@
 
 use super::{
     body::Built,
-    error::{Findings, Span},
+    error::Findings,
     laws,
     node::Fields,
     simulation::{Body, BodyKind, Bubble, Fluid, Side, Sides, Solid, Wave},
@@ -52,12 +52,12 @@ struct NearWall {
 
 impl NearWall {
     fn read(f: Fields<'_>, findings: &mut Findings) -> Option<Self> {
-        let inside_height = inside_domain(f, "height", "top of the bubble", findings);
-        let inside_width = inside_domain(f, "width", "side of the bubble", findings);
+        check_inside(f, "height", "top of the bubble", findings);
+        check_inside(f, "width", "side of the bubble", findings);
         let radius = f.number("radius")?;
         let distance = f.number("standoff")? * radius;
         let spacing = radius / f.number("particles_per_radius")?;
-        let numbers = Self {
+        Some(Self {
             radius,
             distance,
             pressure: f.number("driving_pressure")?,
@@ -66,8 +66,7 @@ impl NearWall {
             width: f.number("width")? * radius,
             height: distance + f.number("height")? * radius,
             depth: f.number("wall_depth")? * radius,
-        };
-        (inside_height && inside_width).then_some(numbers)
+        })
     }
 
     /// The step reaches the top of the bubble, the bubble collapses, the shock runs into the wall.
@@ -199,15 +198,11 @@ fn bubble_in_liquid(
     library: &Library,
     findings: &mut Findings,
 ) -> Option<Expansion> {
-    let inside = inside_domain(f, "domain", "bubble", findings);
+    check_inside(f, "domain", "surface of the bubble", findings);
     let eos = laws::fluid(f, "liquid", None, library, findings)?;
     let (radius, pressure) = (f.number("radius")?, f.number("pressure")?);
     let spacing = radius / f.number("particles_per_radius")?;
-    let extent = f.number("domain").filter(|_| inside)? * radius;
-    let far = Side::NonReflecting {
-        pressure,
-        wave: None,
-    };
+    let extent = f.number("domain")? * radius;
     let fluid = Fluid {
         material: f.text("liquid")?.to_owned(),
         eos,
@@ -215,36 +210,15 @@ fn bubble_in_liquid(
         pressure,
         velocity: [0.0; 2],
     };
-    let core = Shape::Rectangle {
-        lower: [0.0, -1.5 * radius],
-        upper: [1.5 * radius, 1.5 * radius],
-    };
-    let coarsest = f.number("coarsening")? * spacing;
     let title = format!("empty bubble in {} far from walls", fluid.material);
-    let body = Body {
-        name: "liquid".to_owned(),
-        kind: BodyKind::Fluid(fluid),
-        shape: Shape::Rectangle {
-            lower: [0.0, -extent],
-            upper: [extent, extent],
-        },
-        holes: vec![Shape::Disc {
-            centre: [0.0, 0.0],
-            radius,
-        }],
-        spacing: Spacing {
-            finest: spacing,
-            coarsest,
-            growth: GROWTH,
-            core: Some(core),
-        },
-        sides: Sides {
-            left: symmetry(geometry),
-            right: far.clone(),
-            bottom: far.clone(),
-            top: far,
-        },
-    };
+    let coarsest = f.number("coarsening")? * spacing;
+    let body = ball_of_liquid(
+        fluid,
+        radius,
+        extent,
+        (spacing, coarsest),
+        symmetry(geometry),
+    );
     Some(Expansion {
         title,
         // An empty bubble closes at the Rayleigh time, a little later in a compressible liquid.
@@ -259,6 +233,49 @@ fn bubble_in_liquid(
     })
 }
 
+/// Liquid about a bubble at (0, 0), going on without end.
+fn ball_of_liquid(
+    kind: Fluid,
+    radius: f64,
+    extent: f64,
+    (finest, coarsest): (f64, f64),
+    axis: Side,
+) -> Body {
+    let far = Side::NonReflecting {
+        pressure: kind.pressure,
+        wave: None,
+    };
+    let near = 1.5 * radius;
+    let core = Shape::Rectangle {
+        lower: [0.0, -near],
+        upper: [near, near],
+    };
+    Body {
+        name: "liquid".to_owned(),
+        kind: BodyKind::Fluid(kind),
+        shape: Shape::Rectangle {
+            lower: [0.0, -extent],
+            upper: [extent, extent],
+        },
+        holes: vec![Shape::Disc {
+            centre: [0.0, 0.0],
+            radius,
+        }],
+        spacing: Spacing {
+            finest,
+            coarsest,
+            growth: GROWTH,
+            core: Some(core),
+        },
+        sides: Sides {
+            left: axis,
+            right: far.clone(),
+            bottom: far.clone(),
+            top: far,
+        },
+    }
+}
+
 /// The plane of symmetry through the bubble.
 fn symmetry(geometry: Geometry) -> Side {
     match geometry {
@@ -267,22 +284,15 @@ fn symmetry(geometry: Geometry) -> Side {
     }
 }
 
-/// Whether the bubble lies inside the liquid: an extent in radii must exceed one.
-fn inside_domain(f: Fields<'_>, key: &str, what: &str, findings: &mut Findings) -> bool {
-    match f.number(key) {
-        Some(x) if x <= 1.0 => {
-            let span: Span = f.at(key);
-            let message = format!(
-                "the bubble lies outside the liquid: with `{key}` = {x} the {what} is beyond its edge"
-            );
-            findings.error(
-                span,
-                message,
-                "too small",
-                format!("`{key}` counts in bubble radii; 4 to 10 are sensible"),
-            );
-            false
-        }
-        other => other.is_some(),
+/// The bubble must lie inside the liquid: an extent in radii must exceed one.
+fn check_inside(f: Fields<'_>, key: &str, what: &str, findings: &mut Findings) {
+    if let Some(x) = f.number(key)
+        && x <= 1.0
+    {
+        let message = format!(
+            "the bubble lies outside the liquid: with `{key}` = {x} the {what} is beyond its edge"
+        );
+        let help = format!("`{key}` counts in bubble radii; 4 to 10 are sensible");
+        findings.error(f.at(key), message, "too small", help);
     }
 }

@@ -6,12 +6,15 @@ pub(crate) fn closest<'a>(
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
     let lower = word.to_lowercase();
-    let mut best: Option<(usize, &str)> = None;
+    let length = word.chars().count();
+    let mut best: Option<((usize, usize), &str)> = None;
     for candidate in candidates {
         let distance = strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
-        let limit = 1 + candidate.chars().count().max(word.chars().count()) / 4;
-        if distance <= limit && best.is_none_or(|(d, _)| distance < d) {
-            best = Some((distance, candidate));
+        let other = candidate.chars().count();
+        // Of equally near words one of the same length is meant rather than a shorter or longer one.
+        let rank = (distance, other.abs_diff(length));
+        if distance <= 1 + other.max(length) / 4 && best.is_none_or(|(r, _)| rank < r) {
+            best = Some((rank, candidate));
         }
     }
     best.map(|(_, c)| c)
@@ -47,5 +50,6 @@ mod tests {
         assert_eq!(find("stand_off"), Some("standoff"));
         assert_eq!(find("Radius"), Some("radius"));
         assert_eq!(find("temperature"), None);
+        assert_eq!(closest("mn", ["m", "mm"].into_iter()), Some("mm"));
     }
 }

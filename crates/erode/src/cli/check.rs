@@ -4,6 +4,7 @@ use super::{
     args::CheckArgs,
     failure::{Failure, Outcome},
     format::{columns, count, duration, si, significant},
+    say::say,
 };
 use erode::case::{
     Body, BodyKind, Case, Loaded, Simulation, check_advice,
@@ -16,7 +17,7 @@ use erode_sph::Geometry;
 pub(crate) fn check(args: &CheckArgs) -> Outcome {
     let Some(case) = args.case.as_ref().filter(|_| !args.schema) else {
         let text = serde_json::to_string_pretty(&json_schema());
-        println!(
+        say!(
             "{}",
             text.map_err(|e| Failure::input(format!("the schema cannot be written: {e}"), ""))?
         );
@@ -24,7 +25,7 @@ pub(crate) fn check(args: &CheckArgs) -> Outcome {
     };
     let loaded = Case::load(case, &args.set, &[])?;
     if args.resolved {
-        print!("{}", loaded.resolved_toml);
+        say!("{}", loaded.resolved_toml.trim_end());
     } else {
         print_summary(&loaded);
     }
@@ -34,25 +35,25 @@ pub(crate) fn check(args: &CheckArgs) -> Outcome {
 fn print_summary(loaded: &Loaded) {
     let s = &loaded.simulation;
     let e = estimate(s);
-    println!("{}: the case is correct", loaded.file.display());
-    println!("{}\n", s.title);
+    say!("{}: the case is correct", loaded.file.display());
+    say!("{}\n", s.title);
     for line in columns(&facts(s)) {
-        println!("{line}");
+        say!("{line}");
     }
-    println!();
+    say!();
     for line in columns(&bodies(s, &e)) {
-        println!("{line}");
+        say!("{line}");
     }
-    println!();
+    say!();
     for line in columns(&cost(s, &e)) {
-        println!("{line}");
+        say!("{line}");
     }
     let advice = check_advice(s);
     if !advice.is_empty() {
-        println!("\nWorth a look:");
-        advice.iter().for_each(|a| println!("- {a}"));
+        say!("\nWorth a look:");
+        advice.iter().for_each(|a| say!("- {a}"));
     }
-    println!(
+    say!(
         "\nEvery default: erode check {} --resolved",
         loaded.file.display()
     );
@@ -135,7 +136,7 @@ fn cost(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
         row(
             "wall time",
             format!(
-                "about {} at an assumed {} million particle steps per second",
+                "{} at an assumed {} million particle steps per second",
                 duration(e.wall_time),
                 significant(PARTICLE_STEPS_PER_SECOND / 1e6)
             ),

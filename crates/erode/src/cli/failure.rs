@@ -9,6 +9,9 @@ pub(crate) const WRONG_INPUT: u8 = 1;
 /// Exit code: the run failed, or a tolerance was missed.
 pub(crate) const FAILED: u8 = 2;
 
+/// Exit code: interrupted, a checkpoint is written.
+pub(crate) const INTERRUPTED: u8 = 3;
+
 /// Outcome of a command.
 pub(crate) type Outcome = Result<(), Failure>;
 
@@ -95,7 +98,7 @@ fn report_case(errors: &CaseErrors) {
         eprintln!();
     }
     match errors.errors.len() {
-        1 => eprintln!("1 error: the case is not run."),
-        n => eprintln!("{n} errors: the case is not run."),
+        1 => eprintln!("1 error: nothing was run."),
+        n => eprintln!("{n} errors: nothing was run."),
     }
 }

@@ -57,14 +57,14 @@ pub(crate) fn count(x: f64) -> String {
     out
 }
 
-/// A duration: 35 s, 4.2 min, 3.1 h, 2.0 days.
+/// A duration: about 35 s, 4.2 min, 3.1 h, 2.0 days.
 pub(crate) fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 1.0 => "less than 1 s".to_owned(),
-        s if s < 100.0 => format!("{s:.0} s"),
-        s if s < 6000.0 => format!("{:.1} min", s / 60.0),
-        s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
-        s => format!("{:.1} days", s / 86_400.0),
+        s if s < 100.0 => format!("about {s:.0} s"),
+        s if s < 6000.0 => format!("about {:.1} min", s / 60.0),
+        s if s < 172_800.0 => format!("about {:.1} h", s / 3600.0),
+        s => format!("about {:.1} days", s / 86_400.0),
     }
 }
 
@@ -103,6 +103,6 @@ mod tests {
         assert_eq!(significant(0.05), "0.05");
         assert_eq!(significant(1234.5), "1234");
         assert_eq!(count(1_234_567.0), "1 234 567");
-        assert_eq!(duration(252.0), "4.2 min");
+        assert_eq!(duration(252.0), "about 4.2 min");
     }
 }

@@ -4,6 +4,7 @@ use super::{
     args::MaterialsArgs,
     failure::{Failure, Outcome},
     format::{columns, si, significant},
+    say::say,
 };
 use erode::materials::{Library, Material, Property};
 
@@ -39,10 +40,10 @@ fn list(library: &Library) {
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     rows.extend(library.iter().map(row));
     for line in columns(&rows) {
-        println!("{line}");
+        say!("{line}");
     }
-    println!();
-    println!(
+    say!();
+    say!(
         "`erode materials NAME` shows each number with its source, and what the sources do not give."
     );
 }
@@ -75,30 +76,30 @@ fn row(m: &Material) -> Vec<String> {
 }
 
 fn show(m: &Material) {
-    println!("{}: {}", m.name, m.title);
+    say!("{}: {}", m.name, m.title);
     if !m.notes.is_empty() {
-        println!("{}", m.notes);
+        say!("{}", m.notes);
     }
-    println!();
+    say!();
     let rows: Vec<Vec<String>> = m
         .properties
         .iter()
         .map(|(path, p)| property_row(path, p))
         .collect();
     for line in columns(&rows) {
-        println!("  {line}");
+        say!("  {line}");
     }
     if !m.missing.is_empty() {
-        println!("\nMissing:");
+        say!("\nMissing:");
         let rows: Vec<Vec<String>> = m
             .missing
             .iter()
             .map(|(path, why)| vec![path.clone(), why.clone()])
             .collect();
         for line in columns(&rows) {
-            println!("  {line}");
+            say!("  {line}");
         }
-        println!(
+        say!(
             "\nGive what is missing in a case under [material.{}...], or in materials/{0}.toml beside it.",
             m.name
         );

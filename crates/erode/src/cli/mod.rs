@@ -6,6 +6,9 @@ mod failure;
 mod format;
 mod materials;
 mod new;
+mod run;
+mod say;
+mod status;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -39,10 +42,10 @@ fn dispatch(command: &Command) -> Outcome {
         Command::New(args) => new::new(args),
         Command::Check(args) => check::check(args),
         Command::Materials(args) => materials::materials(args),
-        Command::Run(_) => Err(Failure::not_built("run")),
-        Command::Resume(_) => Err(Failure::not_built("resume")),
-        Command::Report(_) => Err(Failure::not_built("report")),
+        Command::Run(args) => run::run(args),
+        Command::Resume(args) => run::resume(args),
+        Command::Report(args) => status::report(args),
         Command::Validate(_) => Err(Failure::not_built("validate")),
-        Command::Status(_) => Err(Failure::not_built("status")),
+        Command::Status(args) => status::status(args),
     }
 }

@@ -4,6 +4,7 @@ use super::{
     args::NewArgs,
     failure::{Failure, Outcome},
     format::columns,
+    say::say,
 };
 use std::{
     fs::{self, OpenOptions},
@@ -44,7 +45,7 @@ pub(crate) const TEMPLATES: [Template; 4] = [
 /// Runs the command.
 pub(crate) fn new(args: &NewArgs) -> Outcome {
     let Some(name) = &args.template else {
-        println!("Templates, to be used as `erode new TEMPLATE [DIR]`:");
+        say!("Templates, to be used as `erode new TEMPLATE [DIR]`:");
         print_templates();
         return Ok(());
     };
@@ -81,8 +82,8 @@ pub(crate) fn new(args: &NewArgs) -> Outcome {
     };
     out.write_all(template.text.as_bytes())
         .map_err(|e| fail(&file.display().to_string(), &e))?;
-    println!("{} written: {}", file.display(), template.about);
-    println!("Next: erode check {0}, then erode run {0}", dir.display());
+    say!("{} written: {}", file.display(), template.about);
+    say!("Next: erode check {0}, then erode run {0}", dir.display());
     Ok(())
 }
 
@@ -92,7 +93,7 @@ fn print_templates() {
         .map(|t| vec![format!("  {}", t.name), t.about.to_owned()])
         .collect();
     for line in columns(&rows) {
-        println!("{line}");
+        say!("{line}");
     }
 }
 

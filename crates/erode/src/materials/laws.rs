@@ -53,6 +53,7 @@ impl<'a> Need<'a> {
 
     fn johnson_cook(&mut self, terms: Terms) -> JohnsonCook {
         let path = |key: &str| format!("solid.strength.johnson_cook.{key}");
+        let [a, b, n] = ["a", "b", "n"].map(|key| self.get(&path(key)));
         let (c, reference_rate) = if terms.strain_rate {
             (self.get(&path("c")), self.get(&path("reference_rate")))
         } else {
@@ -67,9 +68,9 @@ impl<'a> Need<'a> {
             taylor_quinney: self.get(&path("taylor_quinney")),
         });
         JohnsonCook {
-            a: self.get(&path("a")),
-            b: self.get(&path("b")),
-            n: self.get(&path("n")),
+            a,
+            b,
+            n,
             c,
             reference_rate,
             thermal,

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// Names that are tables of the summary and so cannot be scalars.
-const TABLES: [&str; 5] = ["units", "versions", "input_hashes", "ledger", "limiters"];
+const TABLES: [&str; 6] = ["units", "versions", "input_hashes", "ledger", "limiters", "comparison"];
 
 /// Scalars by name (top level of the file, in the order of adding) and the tables about them.
 ///
@@ -27,6 +27,9 @@ pub struct Summary {
     ledger: Map<String, Value>,
     /// Number of steps that each criterion limited.
     limiters: Map<String, Value>,
+    /// Values beside those of a source: `quantity`, `value`, `reference`, `unit`, `source` each.
+    #[serde(default)]
+    comparison: Vec<Value>,
 }
 
 impl Summary {
@@ -61,6 +64,17 @@ impl Summary {
     /// Sets how many steps a criterion limited.
     pub fn set_limiter(&mut self, name: &str, steps: u64) {
         self.limiters.insert(name.into(), steps.into());
+    }
+
+    /// Sets the comparison with a source.
+    pub fn set_comparison(&mut self, rows: Vec<Value>) {
+        self.comparison = rows;
+    }
+
+    /// The comparison with a source.
+    #[must_use]
+    pub fn comparison(&self) -> &[Value] {
+        &self.comparison
     }
 
     /// The scalar `name`; `None` if it is absent or could not be determined.

@@ -1,6 +1,6 @@
 //! The rectangle of a plot: what is where, ticks, grid and axis labels.
 
-use super::svg::{Anchor, GRID, INK, LABEL_SIZE, Svg, TICK_SIZE};
+use super::svg::{Anchor, GRID, INK, LABEL_SIZE, Svg, TICK_SIZE, text_width};
 use super::units::{Scale, decades, ticks};
 
 /// One axis of a plot: a quantity, its SI unit and, if wanted, its range (SI) and a logarithmic division.
@@ -174,13 +174,14 @@ impl Frame {
             LABEL_SIZE,
             &self.x.label,
         );
+        let widest = self
+            .y_ticks()
+            .iter()
+            .map(|(_, label)| text_width(label, TICK_SIZE))
+            .fold(0.0, f64::max);
+        let left = self.left - (widest + 16.0).max(46.0);
         let middle = self.top + 0.5 * self.height;
-        svg.upright_text(
-            [self.left - 52.0, middle],
-            Anchor::Middle,
-            LABEL_SIZE,
-            &self.y.label,
-        );
+        svg.upright_text([left, middle], Anchor::Middle, LABEL_SIZE, &self.y.label);
     }
 
     fn x_ticks(&self) -> Vec<(f64, String)> {

@@ -9,11 +9,13 @@ pub(crate) const ARRIVED: f64 = 0.999;
 /// Instants of a run, s; `None` where the run does not have them.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Instants {
-    /// The bubble has lost 0.1 % of its volume: the wave has arrived.
+    /// The bubble has lost 0.1 % of its volume: the wave has arrived. None where the bubble shrinks from the start.
     pub(crate) arrival: Option<f64>,
     /// The bubble has a quarter of its volume.
     pub(crate) quarter: Option<f64>,
-    /// The bubble is smallest.
+    /// The jet closes the gap on the axis.
+    pub(crate) jet: Option<f64>,
+    /// The bubble is gone, or smallest.
     pub(crate) collapse: Option<f64>,
     /// The pressure at the wall is largest.
     pub(crate) impact: Option<f64>,
@@ -24,6 +26,7 @@ impl Instants {
     pub(crate) fn find(data: &RunData) -> Self {
         let volume = data.history_points("bubble_volume").unwrap_or_default();
         let start = volume.first().map_or(0.0, |p| p[1]);
+        let end = volume.last().map_or(0.0, |p| p[0]);
         let falls_to = |share: f64| {
             volume
                 .iter()
@@ -36,9 +39,10 @@ impl Instants {
             .min_by(|a, b| a[1].total_cmp(&b[1]));
         let collapsed = smallest.filter(|p| p[1] < 0.2 * start).map(|p| p[0]);
         Self {
-            arrival: falls_to(ARRIVED),
+            arrival: falls_to(ARRIVED).filter(|time| *time > 0.03 * end),
             quarter: falls_to(0.25),
-            collapse: data.number("collapse_time").or(collapsed),
+            jet: data.number("jet_time"),
+            collapse: data.number("collapse_instant").or(collapsed),
             impact: largest_wall_pressure(data),
         }
     }
@@ -48,6 +52,7 @@ impl Instants {
         let all = [
             (self.arrival, "wave arrives"),
             (self.quarter, "quarter volume"),
+            (self.jet, "jet impact"),
             (self.collapse, "collapse"),
             (self.impact, "peak at the wall"),
         ];

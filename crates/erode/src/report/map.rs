@@ -23,35 +23,37 @@ pub struct Map<'a> {
 }
 
 const LEFT: f64 = 72.0;
-const TOP: f64 = 30.0;
+/// Height above the picture with and without title.
+const TOPS: [f64; 2] = [30.0, 14.0];
 const BARS: f64 = 104.0;
 const BOTTOM: f64 = 48.0;
 
 impl Map<'_> {
     /// The map as SVG text with an embedded PNG.
     pub fn to_svg(&self) -> String {
-        let [width, height] = [self.size[0] - LEFT - BARS, self.size[1] - TOP - BOTTOM];
+        let top = TOPS[usize::from(self.title.is_empty())];
+        let [width, height] = [self.size[0] - LEFT - BARS, self.size[1] - top - BOTTOM];
         let mut svg = Svg::new(self.size[0], self.size[1], &self.title);
         svg.bold_text(
-            [LEFT, TOP - 10.0],
+            [LEFT, top - 10.0],
             Anchor::Start,
             LABEL_SIZE + 1.0,
             &self.title,
         );
         let frame = Frame {
             left: LEFT,
-            top: TOP,
+            top,
             width,
             height,
             x: span(&self.x),
             y: span(&self.y),
         };
         let uri = self.pixels(width as usize, height as usize, &frame);
-        svg.image(LEFT, TOP, width, height, &uri);
+        svg.image(LEFT, top, width, height, &uri);
         frame.draw_axes(&mut svg);
         let bar = Bar {
             left: LEFT + width + 14.0,
-            top: TOP + 10.0,
+            top: top + 10.0,
             height: height - 20.0,
             beyond: self.beyond(),
         };

@@ -17,6 +17,7 @@ mod run_data;
 mod sections;
 mod snapshot;
 mod svg;
+mod thin;
 mod units;
 mod view;
 
@@ -26,7 +27,7 @@ use crate::output::OutputError;
 use crate::output::atomic::write_atomic;
 
 pub use colour::{ColourMap, Colouring};
-pub use raster::{REACH, View};
+pub use raster::{CLOSING, REACH, View};
 pub use rayleigh::{collapse_curve, collapse_time};
 pub use units::quantity;
 

@@ -55,7 +55,8 @@ pub struct Picture<'a> {
 }
 
 const LEFT: f64 = 68.0;
-const TOP: f64 = 30.0;
+/// Height above the picture with and without title.
+const TOPS: [f64; 2] = [30.0, 14.0];
 const BARS: f64 = 104.0;
 const BOTTOM: f64 = 46.0;
 /// Pixels of the embedded picture per pixel of the drawing, so that it stays crisp on dense screens and in print.
@@ -64,31 +65,32 @@ const DENSITY: f64 = 1.5;
 impl Picture<'_> {
     /// The picture as SVG text with an embedded PNG.
     pub fn to_svg(&self) -> String {
+        let top = TOPS[usize::from(self.title.is_empty())];
         let width = self.width - LEFT - BARS;
         let raster = self.raster((width * DENSITY) as usize);
         let height = width * raster.height as f64 / raster.width as f64;
-        let mut svg = Svg::new(self.width, TOP + height + BOTTOM, &self.title);
+        let mut svg = Svg::new(self.width, top + height + BOTTOM, &self.title);
         svg.bold_text(
-            [LEFT, TOP - 10.0],
+            [LEFT, top - 10.0],
             Anchor::Start,
             LABEL_SIZE + 1.0,
             &self.title,
         );
-        svg.image(LEFT, TOP, width, height, &raster.data_uri());
+        svg.image(LEFT, top, width, height, &raster.data_uri());
         let axis = |label: &str, range: [f64; 2]| {
             let axis = Axis::new(label, "m").with_range(range[0], range[1]);
             Span::new(&axis, range, 0.0)
         };
         let frame = Frame {
             left: LEFT,
-            top: TOP,
+            top,
             width,
             height,
             x: axis(self.axes[0], self.view.r),
             y: axis(self.axes[1], self.view.z),
         };
         frame.draw_axes(&mut svg);
-        self.draw_bars(&mut svg, LEFT + width + 14.0, height);
+        self.draw_bars(&mut svg, &frame);
         svg.finish()
     }
 
@@ -108,23 +110,24 @@ impl Picture<'_> {
                 }
             }
         }
+        raster.open_voids();
         raster
     }
 
     /// One bar per body with a labelled colouring, one above the other in the order of the layers.
-    fn draw_bars(&self, svg: &mut Svg, left: f64, height: f64) {
+    fn draw_bars(&self, svg: &mut Svg, frame: &Frame) {
         let labelled: Vec<&Layer> = self
             .layers
             .iter()
             .filter(|l| !l.colouring.label.is_empty())
             .collect();
         let count = labelled.len().max(1) as f64;
-        let each = (height - 26.0 * (count - 1.0)) / count;
+        let each = (frame.height - 26.0 * (count - 1.0)) / count;
         for (index, layer) in labelled.into_iter().enumerate() {
-            let top = TOP + index as f64 * (each + 26.0);
+            let top = frame.top + index as f64 * (each + 26.0);
             // Arrows at the ends stay inside the height of the picture.
             let bar = Bar {
-                left,
+                left: frame.left + frame.width + 14.0,
                 top: top + 10.0,
                 height: each - 20.0,
                 beyond: layer.beyond(self.view),

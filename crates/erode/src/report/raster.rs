@@ -4,9 +4,13 @@ use base64::Engine as _;
 
 use super::colour::VOID;
 
-/// A pixel belongs to the nearest particle if that is not farther away than this part of the particle's size. On a
-/// square lattice the farthest place is 0.71 sizes from a particle: bodies have no holes, voids stay open.
+/// A pixel is inside a body if a particle is not farther away than this part of the particle's size. On a square
+/// lattice the farthest place is 0.71 sizes from a particle: bodies have no holes, voids stay open.
 pub const REACH: f64 = 0.75;
+
+/// Gaps of a disordered arrangement are closed if no place in them is farther from a particle than this part of its
+/// size: a void must be wider than two particles to count.
+pub const CLOSING: f64 = 1.2;
 
 /// The rectangle that is seen, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,8 +38,10 @@ pub(crate) struct Raster {
     pub(crate) height: usize,
     view: View,
     rgb: Vec<u8>,
-    /// Squared distance to the particle that owns the pixel.
+    /// Squared distance to the nearest particle, pixels; infinite beyond its closing distance.
     distance: Vec<f64>,
+    /// Pixels inside a body.
+    inside: Vec<bool>,
 }
 
 impl Raster {
@@ -49,31 +55,73 @@ impl Raster {
             view,
             rgb: VOID.repeat(width * height),
             distance: vec![f64::INFINITY; width * height],
+            inside: vec![false; width * height],
         }
     }
 
     /// Colours the pixels that are nearer to this particle than to those before it.
     pub(crate) fn splat(&mut self, centre: [f64; 2], size: f64, colour: [u8; 3]) {
-        let pixel = (self.view.r[1] - self.view.r[0]) / self.width as f64;
-        // Particles smaller than a pixel still show.
-        let reach = (REACH * size).max(0.71 * pixel);
-        if !(reach.is_finite() && centre[0].is_finite() && centre[1].is_finite()) {
+        if !(size.is_finite() && centre[0].is_finite() && centre[1].is_finite()) {
             return;
         }
+        let pixel = (self.view.r[1] - self.view.r[0]) / self.width as f64;
+        // Particles smaller than a pixel still show.
+        let reach = (REACH * size / pixel).max(0.71);
+        let closing = (CLOSING * size / pixel).max(reach);
         let x = (centre[0] - self.view.r[0]) / pixel - 0.5;
         let y = (self.view.z[1] - centre[1]) / pixel - 0.5;
-        let radius = reach / pixel;
-        let columns = covered(x, radius, self.width);
-        for row in covered(y, radius, self.height) {
+        let columns = covered(x, closing, self.width);
+        for row in covered(y, closing, self.height) {
             for column in columns.clone() {
                 let away = (column as f64 - x).powi(2) + (row as f64 - y).powi(2);
                 let index = row * self.width + column;
-                if away <= radius * radius && away < self.distance[index] {
+                self.inside[index] |= away <= reach * reach;
+                if away <= closing * closing && away < self.distance[index] {
                     self.distance[index] = away;
                     self.rgb[3 * index..3 * index + 3].copy_from_slice(&colour);
                 }
             }
         }
+    }
+
+    /// To be called after the last particle: makes white what is a void, and leaves closed what is only a gap.
+    pub(crate) fn open_voids(&mut self) {
+        let mut seen = self.inside.clone();
+        for start in 0..seen.len() {
+            if seen[start] {
+                continue;
+            }
+            let region = self.region(start, &mut seen);
+            if region.iter().any(|k| self.distance[*k].is_infinite()) {
+                for index in region {
+                    self.rgb[3 * index..3 * index + 3].copy_from_slice(&VOID);
+                }
+            }
+        }
+    }
+
+    /// Pixels outside of bodies that are connected with `start`.
+    fn region(&self, start: usize, seen: &mut [bool]) -> Vec<usize> {
+        let mut region = vec![start];
+        seen[start] = true;
+        let mut next = 0;
+        while let Some(index) = region.get(next).copied() {
+            next += 1;
+            let column = index % self.width;
+            let neighbours = [
+                (column > 0).then(|| index - 1),
+                (column + 1 < self.width).then(|| index + 1),
+                index.checked_sub(self.width),
+                Some(index + self.width).filter(|k| *k < seen.len()),
+            ];
+            for neighbour in neighbours.into_iter().flatten() {
+                if !seen[neighbour] {
+                    seen[neighbour] = true;
+                    region.push(neighbour);
+                }
+            }
+        }
+        region
     }
 
     /// Colour of a pixel.
@@ -127,21 +175,26 @@ mod tests {
 
     const RED: [u8; 3] = [255, 0, 0];
 
-    /// A body on a square lattice with a round hole of radius 0.3 at the origin.
-    fn lattice(view: View, width: usize, spacing: f64) -> Raster {
+    /// A body on a square lattice with a round hole of radius 0.3 at the origin; particles are moved by up to
+    /// `disorder` spacings.
+    fn lattice(view: View, width: usize, spacing: f64, disorder: f64) -> Raster {
         let mut raster = Raster::new(view, width);
         let count = (2.0 / spacing) as i32;
         for i in -count..count {
             for j in -count..count {
+                let noise = |k: i32| {
+                    disorder * f64::from((k * 7919 + i * 104_729 + j * 1_299_709) % 1000) / 1000.0
+                };
                 let p = [
-                    (f64::from(i) + 0.5) * spacing,
-                    (f64::from(j) + 0.5) * spacing,
+                    (f64::from(i) + 0.5 + noise(1)) * spacing,
+                    (f64::from(j) + 0.5 + noise(517)) * spacing,
                 ];
                 if p[0].hypot(p[1]) > 0.3 {
                     raster.splat(p, spacing, RED);
                 }
             }
         }
+        raster.open_voids();
         raster
     }
 
@@ -151,20 +204,41 @@ mod tests {
             r: [-1.0, 1.0],
             z: [-1.0, 1.0],
         };
-        let raster = lattice(view, 217, 0.05);
-        let mut white = 0;
-        for row in 0..raster.height {
-            for column in 0..raster.width {
+        for disorder in [0.0, 0.35] {
+            let raster = lattice(view, 217, 0.05, disorder);
+            for index in 0..raster.width * raster.height {
+                let (row, column) = (index / raster.width, index % raster.width);
                 let r = (column as f64 + 0.5) / 217.0 * 2.0 - 1.0;
                 let z = (row as f64 + 0.5) / 217.0 * 2.0 - 1.0;
                 let is_white = raster.pixel(column, row) == VOID;
-                white += usize::from(is_white);
-                // The edge of the void is uncertain by one spacing.
-                assert!(!(is_white && r.hypot(z) > 0.35), "hole at {r} {z}");
-                assert!(is_white || r.hypot(z) > 0.25, "void covered at {r} {z}");
+                // The edge of the void is uncertain by one spacing and the disorder.
+                let edge = 0.05 * (1.0 + disorder);
+                assert!(!(is_white && r.hypot(z) > 0.3 + edge), "hole at {r} {z}");
+                assert!(
+                    is_white || r.hypot(z) > 0.3 - edge,
+                    "void covered at {r} {z}"
+                );
             }
         }
-        assert!(white > 0);
+    }
+
+    #[test]
+    fn gaps_are_closed_and_voids_of_two_particles_are_not() {
+        let view = View {
+            r: [0.0, 9.0],
+            z: [0.0, 9.0],
+        };
+        for (missing, white) in [(0.0, false), (0.6, false), (1.5, true)] {
+            let mut raster = Raster::new(view, 90);
+            for k in 0..81 {
+                let p = [f64::from(k % 9) + 0.5, f64::from(k / 9) + 0.5];
+                if (p[0] - 4.5).hypot(p[1] - 4.5) >= missing {
+                    raster.splat(p, 1.0, RED);
+                }
+            }
+            raster.open_voids();
+            assert_eq!(raster.pixel(45, 45) == VOID, white, "{missing}");
+        }
     }
 
     #[test]
@@ -196,6 +270,7 @@ mod tests {
         };
         let mut raster = Raster::new(view, 40);
         raster.splat([1.0, 0.5], 0.5, RED);
+        raster.open_voids();
         let uri = raster.data_uri();
         let bytes = base64::engine::general_purpose::STANDARD
             .decode(uri.strip_prefix("data:image/png;base64,").unwrap())
@@ -222,6 +297,7 @@ mod tests {
         raster.splat([-50.0, 3.0], 0.1, RED);
         raster.splat([f64::NAN, 0.5], 0.1, RED);
         raster.splat([0.5, 0.5], f64::INFINITY, RED);
+        raster.open_voids();
         assert!(raster.rgb.iter().all(|b| *b == 255));
     }
 }

@@ -56,27 +56,35 @@ const ROUND_UP: f64 = 0.000_22;
 
 fn prefixed(power: f64, unit: &str, dimension: i32, superscript: &str) -> Scale {
     let step = 3 * dimension;
-    // Squared and cubed steps are 6 and 9 decades wide: rather 0.014 mm³ than 14 000 000 µm³.
+    // Squared and cubed steps are 6 and 9 decades wide: rather 14 10⁻³ mm³ than 14 10⁶ µm³.
     let lower = if dimension == 1 {
         0.0
     } else {
         f64::from(dimension)
     };
     let wanted = ((power + lower + ROUND_UP) / f64::from(step)).floor() as i32 * 3;
+    // k, M, ... of metres and seconds are not in use where erosion happens.
+    let largest = if matches!(unit, "s" | "m") {
+        0
+    } else {
+        i32::MAX
+    };
     let (exponent, prefix) = PREFIXES
         .iter()
         .copied()
+        .filter(|(exponent, _)| *exponent <= largest)
         .min_by_key(|(exponent, _)| (exponent - wanted).abs())
         .unwrap_or((0, ""));
-    // k, M, ... of metres and seconds are not in use where erosion happens.
-    let (exponent, prefix) = if exponent > 0 && (unit == "s" || unit == "m") {
-        (0, "")
+    let unit = format!("{prefix}{unit}{superscript}");
+    let left = power - f64::from(exponent * dimension);
+    let rest = if dimension == 1 || (-1.0..2.999_78).contains(&left) {
+        Scale { factor: 1.0, unit }
     } else {
-        (exponent, prefix)
+        in_thousands(left, &unit)
     };
     Scale {
-        factor: 10f64.powi(exponent * dimension),
-        unit: format!("{prefix}{unit}{superscript}"),
+        factor: rest.factor * 10f64.powi(exponent * dimension),
+        ..rest
     }
 }
 
@@ -85,11 +93,17 @@ fn powered(power: f64, unit: &str) -> Scale {
     if unit == "%" || (-3.0..4.999).contains(&power) {
         return Scale { factor: 1.0, unit };
     }
+    in_thousands(power, &unit)
+}
+
+/// A unit with a power of a thousand in front of it.
+fn in_thousands(power: f64, unit: &str) -> Scale {
     let exponent = ((power + ROUND_UP) / 3.0).floor() as i32 * 3;
-    let unit = format!("10{} {unit}", superscript(exponent));
     Scale {
         factor: 10f64.powi(exponent),
-        unit: unit.trim_end().to_string(),
+        unit: format!("10{} {unit}", superscript(exponent))
+            .trim_end()
+            .to_string(),
     }
 }
 
@@ -230,8 +244,10 @@ mod tests {
         assert_eq!(Scale::for_magnitude(0.000_15, "m").unit, "µm");
         assert_eq!(Scale::for_magnitude(2000.0, "m").unit, "m");
         // The bubble of 0.15 mm radius and one of 15 µm.
-        assert_eq!(Scale::for_magnitude(1.4e-11, "m3").unit, "mm³");
-        assert_eq!(Scale::for_magnitude(1.4e-14, "m3").unit, "µm³");
+        assert_eq!(Scale::for_magnitude(1.4e-11, "m3").unit, "10⁻³ mm³");
+        assert_eq!(Scale::for_magnitude(1.4e-14, "m3").unit, "10³ µm³");
+        let scale = Scale::for_magnitude(1.4e-11, "m3");
+        assert!((1.4e-11 / scale.factor - 14.0).abs() < 1e-9);
         assert_eq!(Scale::for_magnitude(3.0e6, "1/s").unit, "10⁶ 1/s");
         assert_eq!(Scale::for_magnitude(0.0, "Pa").unit, "Pa");
     }

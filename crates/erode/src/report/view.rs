@@ -1,19 +1,22 @@
 //! What part of the bodies a picture shows.
 
+use super::colour::robust_range;
 use super::raster::View;
 use super::snapshot::Body;
 
-/// Particles up to this many times the smallest spacing belong to the finely resolved region.
+/// Particles up to this many times the finest spacing belong to the finely resolved region.
 const FINE: f64 = 1.6;
 
 /// The finely resolved region of all bodies with its mirror image, or everything where the resolution is uniform.
 pub(crate) fn fine_view(bodies: &[Body]) -> Option<View> {
-    let finest = bodies
+    let sizes: Vec<f64> = bodies
         .iter()
         .flat_map(|b| &b.size)
         .copied()
         .filter(|s| *s > 0.0)
-        .fold(f64::INFINITY, f64::min);
+        .collect();
+    // Packed particles scatter around the spacing asked for: the smallest one would be misleading.
+    let finest = robust_range(&sizes, 0.05)?[0];
     let fine = bodies
         .iter()
         .flat_map(|b| b.position.iter().zip(&b.size))
@@ -73,7 +76,11 @@ pub(crate) fn strained_view(bodies: &[Body], largest: f64) -> Option<View> {
         .min(all.z[1] - all.z[0]);
     Some(View {
         r: [-reach, reach],
-        z: [all.z[1] - depth, all.z[1] + 0.04 * depth],
+        // Enough above the surface to be seen as empty and not as a gap.
+        z: [
+            all.z[1] - depth,
+            all.z[1] + (0.04 * depth).max(2.0 * finest),
+        ],
     })
 }
 

@@ -19,8 +19,10 @@ pub struct FarField {
     pub pressure: f64,
     /// Pressure behind the entering step, Pa; equal to `pressure` when there is none.
     pub step_pressure: f64,
-    /// Time at which the step enters, s.
+    /// Time at which the step begins to enter, s.
     pub start: f64,
+    /// Time in which it rises, s: what the spacing at the side can carry.
+    pub rise: f64,
     /// Area of the side that the particle stands for, m2; zero behind the outermost row.
     pub face_area: f64,
 }
@@ -32,6 +34,7 @@ impl FarField {
         pressure: 0.0,
         step_pressure: 0.0,
         start: 0.0,
+        rise: 0.0,
         face_area: 0.0,
     };
 
@@ -41,6 +44,18 @@ impl FarField {
         self.normal != [0.0; 2]
     }
 
+    /// Part of the step that has entered at `time`: a smooth rise.
+    fn risen(&self, time: f64) -> f64 {
+        let s = (time - self.start) / self.rise;
+        if time < self.start {
+            0.0
+        } else if s < 1.0 {
+            s * s * (3.0 - 2.0 * s)
+        } else {
+            1.0
+        }
+    }
+
     /// Pressure (Pa) on the outside of a particle (zero without a far field) that moves with `velocity` at `time`.
     #[must_use]
     pub fn pressure_outside(&self, eos: &Tait, velocity: Vec2, time: f64) -> f64 {
@@ -48,11 +63,7 @@ impl FarField {
             return 0.0;
         }
         let integral = |p: f64| eos.riemann_integral(eos.density(p));
-        let step = if time >= self.start {
-            self.step_pressure
-        } else {
-            self.pressure
-        };
+        let step = self.pressure + self.risen(time) * (self.step_pressure - self.pressure);
         let u = velocity[0] * self.normal[0] + velocity[1] * self.normal[1];
         let f = u + 2.0 * integral(step) - integral(self.pressure);
         eos.pressure_of_riemann_integral(f).max(0.0)
@@ -62,16 +73,25 @@ impl FarField {
 /// Particles within this many smoothing lengths of a far side feel the pressure outside.
 const REACH: f64 = 2.5;
 
+/// A step rises while sound runs this many smoothing lengths of the side: sharper ones only ring.
+const RISE: f64 = 2.5;
+
 /// The outermost row: particles within this many spacings of the side.
 const OUTERMOST: f64 = 0.75;
 
 impl Fluid {
     /// Opens a straight side: `side` is its plane with the normal into the liquid, `far` its state (normal and area are
-    /// filled in here). In a corner the nearer side wins.
+    /// filled in here, and the rise time of a step from the spacing). In a corner the nearer side wins.
     pub fn open_side(&mut self, side: &Plane, far: FarField) {
         let outward = side.normal.map(|n| -n);
         let tangent = [-outward[1], outward[0]];
         let mut row = Vec::new();
+        let at_side = |a: &usize| side.distance(self.position[*a]) < self.smoothing_length[*a];
+        let coarsest = (0..self.len())
+            .filter(at_side)
+            .map(|a| self.smoothing_length[a])
+            .fold(0.0, f64::max);
+        let rise = RISE * coarsest / self.eos.sound_speed;
         for a in 0..self.len() {
             let depth = side.distance(self.position[a]);
             let nearest = self.far_field[a].is_some() && self.side_depth[a] <= depth;
@@ -79,6 +99,7 @@ impl Fluid {
                 self.far_field[a] = FarField {
                     normal: outward,
                     face_area: 0.0,
+                    rise,
                     ..far
                 };
                 self.side_depth[a] = depth;

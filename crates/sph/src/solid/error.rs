@@ -99,3 +99,14 @@ pub enum SolidError {
         source: ReturnError,
     },
 }
+
+impl SolidError {
+    /// Where a calculation failed, m; none for errors of the setup.
+    #[must_use]
+    pub fn position(&self) -> Option<Vec2> {
+        match self {
+            Self::Inverted { position, .. } | Self::Return { position, .. } => Some(*position),
+            _ => None,
+        }
+    }
+}

@@ -5,7 +5,7 @@
 //! negative, so that R P runs smoothly through the axis (no correction function is needed there).
 
 use super::block::{Block, Side};
-use super::mat2::{Mat2, mirrored, scaled};
+use super::mat2::{Mat2, mirrored, product, scaled};
 use super::surface::Surface;
 use crate::geometry::Vec2;
 
@@ -52,7 +52,8 @@ pub(super) fn all_images(block: &Block, position: &[Vec2], reach: &[f64]) -> Vec
         let (r, z): (Vec<Side>, Vec<Side>) =
             (Side::ALL.into_iter().filter(near)).partition(|s| s.normal_axis() == 0);
         let mut add = |mut sides: [Option<Side>; 2]| {
-            if sides[0].is_some_and(|s| !block.face(s).mirrors()) && sides[1].is_some() {
+            let mirrors = |s: Option<Side>| s.is_some_and(|s| block.face(s).mirrors());
+            if !mirrors(sides[0]) && mirrors(sides[1]) {
                 sides.swap(0, 1);
             }
             images.push(Image {
@@ -72,10 +73,10 @@ pub(super) fn all_images(block: &Block, position: &[Vec2], reach: &[f64]) -> Vec
     images
 }
 
-/// R P L of a particle, with what is needed to continue it beyond a face.
+/// R P of a particle, with what is needed to continue it beyond a face.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Flux {
-    /// R P L.
+    /// R P.
     pub(super) flux: Mat2,
     /// Correction L of the gradient.
     pub(super) correction: Mat2,
@@ -84,7 +85,7 @@ pub(super) struct Flux {
 }
 
 /// Weight of the reflection of a particle with weight `weight` in a side face at `coordinate` (axisymmetry).
-fn reflected_weight(axisymmetric: bool, side: Side, block: &Block, weight: f64) -> f64 {
+pub(super) fn reflected_weight(axisymmetric: bool, side: Side, block: &Block, weight: f64) -> f64 {
     if axisymmetric && side.normal_axis() == 0 {
         2.0 * block.coordinate(side) - weight
     } else {
@@ -93,11 +94,12 @@ fn reflected_weight(axisymmetric: bool, side: Side, block: &Block, weight: f64) 
 }
 
 impl Flux {
-    /// The flux at an image of the particle.
+    /// R P L at an image of the particle.
     ///
     /// Mirror faces: P_rz, P_zr odd. Open faces: the traction column of R P is odd about the given traction,
-    /// (R P)' N = 2 R T - (R P) N, the other column even. Transforming columns only makes the forces of the pairs
-    /// (a, b') and (b, a') cancel but for the T part, so that the total force on the body is the traction's.
+    /// (R P)' N = 2 R t - (R P) N, and so is its partner beside the diagonal; the other diagonal part of P is even.
+    /// The odd partner costs the exact balance of momentum where shear varies along the face, but an even one
+    /// (which keeps it) takes 8 % off the plastic strain under a Gaussian pressure ten spacings wide.
     pub(super) fn at_image(
         mut self,
         image: &Image,
@@ -121,17 +123,16 @@ impl Flux {
                     self.weight
                 };
                 let traction = traction_at(surfaces, side, image.source);
-                for (i, row) in self.flux.iter_mut().enumerate() {
-                    // Q D + 2 R t n (row of L'): column `axis` of P changes sign, L' = D L D.
-                    row[axis] *= -1.0;
-                    let k = 2.0 * on_face * side.sign() * traction[i] * turned[i];
-                    row[0] += k * self.correction[axis][0];
-                    row[1] += k * self.correction[axis][1];
-                }
+                let given = [0, 1].map(|i| 2.0 * on_face * side.sign() * traction[i] * turned[i]);
+                let (n, t) = (axis, 1 - axis);
+                self.flux[n][n] = given[n] - self.flux[n][n];
+                self.flux[t][n] = given[t] - self.flux[t][n];
+                self.flux[n][t] = given[t] - self.flux[n][t];
+                self.flux[t][t] *= weight / self.weight;
             }
             self.weight = weight;
         }
-        self.flux
+        product(&self.flux, &self.correction)
     }
 }
 

@@ -4,7 +4,7 @@
 //! the constant 1/1.0105 of the cubic spline. Deformation gradient: L_own, the same over real particles and mirror
 //! images only, so that it is exact for linear fields at free faces too.
 
-use super::block::Block;
+use super::block::{Block, Side};
 use super::images::Image;
 use super::mat2::{Mat2, determinant, inverse};
 use super::search::Cloud;
@@ -12,6 +12,9 @@ use super::{Numerics, SolidError};
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
 use erode_physics::material_point::Material;
+
+/// Particles no deeper than this many spacings under a face are its first row.
+pub(super) const FIRST_ROW: f64 = 0.75;
 
 /// One neighbour of a particle: real or a mirror image.
 #[derive(Debug, Clone, Copy)]
@@ -22,8 +25,10 @@ pub(super) struct Pair {
     pub(super) offset: Vec2,
     /// A_b (dW/dX)/X: times `offset` it is A_b grad_a W.
     pub(super) gradient: f64,
-    /// Coefficient of the viscous acceleration, see `force.rs`.
+    /// Coefficient of the viscous acceleration on approach, see `force.rs`.
     pub(super) viscous: f64,
+    /// The same on separation.
+    pub(super) separating: f64,
     /// Coefficient of the hourglass acceleration, see `force.rs`.
     pub(super) hourglass: f64,
 }
@@ -58,6 +63,8 @@ pub struct Reference {
     pub(super) open_images: Vec<Image>,
     pub(super) full_correction: Vec<Mat2>,
     pub(super) own_correction: Vec<Mat2>,
+    /// See `balance.rs`.
+    pub(super) imbalance: Vec<Vec2>,
     pair_start: Vec<u32>,
     pairs: Vec<Pair>,
     open_start: Vec<u32>,
@@ -94,6 +101,7 @@ impl Reference {
             open_images: Vec::new(),
             full_correction: Vec::new(),
             own_correction: Vec::new(),
+            imbalance: Vec::new(),
             pair_start: vec![0],
             pairs: Vec::new(),
             open_start: vec![0],
@@ -102,7 +110,7 @@ impl Reference {
             area,
         };
         for (a, list) in lists.iter().enumerate() {
-            reference.add_pairs(a, list, &cloud, material, numerics);
+            reference.add_pairs(block, a, list, &cloud, material, numerics);
         }
         reference.mirror_images = cloud.mirror_images;
         reference.open_images = cloud.open_images;
@@ -122,6 +130,7 @@ impl Reference {
 
     fn add_pairs(
         &mut self,
+        block: &Block,
         a: usize,
         list: &[u32],
         cloud: &Cloud,
@@ -136,6 +145,11 @@ impl Reference {
             let h = 0.5 * (self.smoothing_length[a] + cloud.smoothing_length[j as usize]);
             let offset = [0, 1].map(|k| self.position[a][k] - cloud.points[j as usize][k]);
             let square = offset[0] * offset[0] + offset[1] * offset[1];
+            let edge = if self.in_first_row(block, a) || self.in_first_row(block, source) {
+                numerics.edge_viscosity
+            } else {
+                0.0
+            };
             let gradient = self.area[source] * kernel::gradient_factor(square.sqrt(), h);
             if (j as usize) < first_open {
                 // The stabilisers are weighted with the mean of the two |R|: never negative, so that each dissipates.
@@ -145,7 +159,8 @@ impl Reference {
                     neighbour: j,
                     offset,
                     gradient,
-                    viscous: numerics.viscosity * speed * h * gradient * mean,
+                    viscous: edge.max(numerics.viscosity) * speed * h * gradient * mean,
+                    separating: edge * speed * h * gradient * mean,
                     hourglass: numerics.hourglass * stiffness * value * mean,
                 });
             } else {
@@ -158,6 +173,13 @@ impl Reference {
         }
         self.pair_start.push(self.pairs.len() as u32);
         self.open_start.push(self.open_pairs.len() as u32);
+    }
+
+    fn in_first_row(&self, block: &Block, a: usize) -> bool {
+        Side::ALL.into_iter().any(|side| {
+            !block.face(side).mirrors()
+                && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
+        })
     }
 
     fn correct(&mut self) -> Result<(), SolidError> {

@@ -74,11 +74,11 @@ pub(crate) fn lattice(
     s
 }
 
-/// Spacing grows by 5 % per row and column away from the upper left corner, every inner particle shaken by 10 %.
+/// Spacing grows by 1.5 % per row and column away from the upper left corner, every inner particle shaken by 10 %.
 pub(crate) fn graded(geometry: Geometry, faces: Faces, n: [usize; 2], strength: Strength) -> Setup {
     let edges = |n: usize| -> Vec<f64> {
         (0..=n)
-            .map(|i| DX * (1.05_f64.powi(i as i32) - 1.0) / 0.05)
+            .map(|i| DX * (1.015_f64.powi(i as i32) - 1.0) / 0.015)
             .collect()
     };
     let (x, z) = (edges(n[0]), edges(n[1]));

@@ -85,7 +85,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
         return;
     };
     let mut rows = Vec::new();
-    for key in ["setup", "run", "output"] {
+    for key in ["setup", "bubble", "run", "output", "checkpoint"] {
         if let Some(value) = table.get(key) {
             flatten(key, value, &mut rows);
         }

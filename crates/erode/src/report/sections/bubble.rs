@@ -45,14 +45,42 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
         },
         |t| t.words,
     );
-    page.figures(&[
-        (volumes.to_svg(), "Volume of the bubble.".into()),
+    let mut figures = vec![
+        (volumes.to_svg(), "Volume of the bubble.".to_string()),
         (
             radii.to_svg(),
             format!("Radius of the sphere of the same volume. {about}"),
         ),
-    ]);
+    ];
+    figures.extend(MORE.iter().filter_map(|(name, label, unit, caption)| {
+        let points = data
+            .history_points(name)
+            .filter(|points| points.iter().any(|p| p[1].is_finite()))?;
+        let plot = Plot::new(Axis::new("time", "s"), Axis::new(label, unit)).line("", points);
+        let plot = instants
+            .named()
+            .into_iter()
+            .fold(plot, |plot, (time, name)| plot.event(time, name));
+        Some((plot.to_svg(), (*caption).to_string()))
+    }));
+    page.figures(&figures);
 }
+
+/// Column, axis label, unit and caption of curves that are shown where they were recorded.
+const MORE: [(&str, &str, &str, &str); 2] = [
+    (
+        "jet_speed",
+        "speed towards the wall",
+        "m/s",
+        "Speed of the liquid at the far side of the bubble on the axis, until the jet crosses the bubble.",
+    ),
+    (
+        "max_pressure",
+        "largest pressure",
+        "Pa",
+        "Largest pressure anywhere in the liquid.",
+    ),
+];
 
 struct Theory {
     curve: Vec<[f64; 2]>,
@@ -69,11 +97,14 @@ impl Theory {
             assumed,
         } = lookup::liquid_density(data);
         let curve = collapse_curve(start, pressure, density, 400);
-        // Volume is radius cubed.
-        let lost = curve
-            .iter()
-            .find(|p| p[1].powi(3) <= ARRIVED * start.powi(3))?[0];
-        let begin = instants.arrival.map_or(0.0, |arrival| arrival - lost);
+        let lost = time_of(&curve, ARRIVED.cbrt() * start)?;
+        let (begin, placed) = match instants.arrival {
+            Some(arrival) => (
+                arrival - lost,
+                "placed so that both have lost 0.1 % of the volume at the same time",
+            ),
+            None => (0.0, "begun at the start of the run"),
+        };
         let end = radius.last()?[0];
         let curve: Vec<[f64; 2]> = curve
             .into_iter()
@@ -81,14 +112,32 @@ impl Theory {
             .take_while(|p| p[0] <= end)
             .collect();
         let words = format!(
-            "Rayleigh: empty sphere in an unbounded incompressible liquid at {}, density {}{}; collapse in {}, \
-             placed so that both have lost 0.1 % of the volume at the same time. It knows no wall, wave or jet: it shows \
-             the scale of time.",
+            "Rayleigh: empty sphere in an unbounded incompressible liquid at {}, density {}{}; collapse in {}, {placed}. \
+             It knows no wall, wave or jet: it shows the scale of time.",
             quantity(pressure, "Pa"),
             quantity(density, "kg/m3"),
             if assumed { " (assumed)" } else { "" },
             quantity(collapse_time(start, pressure, density), "s"),
         );
         (start > 0.0 && pressure > 0.0).then_some(Self { curve, words })
+    }
+}
+
+/// When a falling curve reaches a radius, between its points.
+fn time_of(curve: &[[f64; 2]], radius: f64) -> Option<f64> {
+    let pair = curve.windows(2).find(|pair| pair[1][1] <= radius)?;
+    let share = (pair[0][1] - radius) / (pair[0][1] - pair[1][1]);
+    Some(pair[0][0] + share * (pair[1][0] - pair[0][0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_radius_is_found_between_the_points() {
+        let curve = [[0.0, 1.0], [2.0, 0.5], [3.0, 0.0]];
+        assert_eq!(time_of(&curve, 0.75), Some(1.0));
+        assert_eq!(time_of(&curve, -1.0), None);
     }
 }

@@ -44,13 +44,16 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants, end: &
             state_picture(&title, view, &bodies, largest),
             caption(&bodies, view),
         ));
-        if words.contains("quarter") || words.contains("collapse") {
+        if ["quarter", "jet", "collapse"]
+            .iter()
+            .any(|name| words.contains(name))
+        {
             flows.extend(flow_picture(&title, view, &bodies));
         }
     }
     page.paragraph(
-        "Each picture shows the finely resolved region at the snapshot nearest to the named instant, mirrored about the \
-         axis r = 0. A void is white; solid that never yielded is grey. An arrow at a colour bar: some values lie beyond.",
+        "Pressure in liquids, plastic strain in solids. Each picture shows the finely resolved region at the snapshot nearest to the named instant, mirrored about the \
+         axis. A void is white; solid that never yielded is grey. An arrow at a colour bar: some values lie beyond.",
     );
     figures.extend(flows);
     page.figures(&figures);
@@ -77,10 +80,10 @@ fn caption(bodies: &[Body], view: View) -> String {
         let low = values.iter().copied().reduce(f64::min)?;
         let high = values.iter().copied().reduce(f64::max)?;
         Some(match (body.is_solid(), high > 0.0) {
-            (true, true) => format!("{}: plastic strain up to {}", body.name, percent(high)),
-            (true, false) => format!("{}: no plastic strain", body.name),
+            (true, true) => format!("plastic strain in {} up to {}", body.name, percent(high)),
+            (true, false) => format!("no plastic strain in {}", body.name),
             _ => format!(
-                "{}: pressure {} to {}",
+                "pressure in {} from {} to {}",
                 body.name,
                 quantity(low, "Pa"),
                 quantity(high, "Pa")
@@ -88,7 +91,7 @@ fn caption(bodies: &[Body], view: View) -> String {
         })
     };
     let parts: Vec<String> = bodies.iter().filter_map(part).collect();
-    format!("Pressure and plastic strain. {}.", parts.join("; "))
+    format!("In this view: {}.", parts.join("; "))
 }
 
 /// A strain in per cent.
@@ -233,5 +236,8 @@ fn flow_picture(title: &str, view: View, bodies: &[Body]) -> Option<(String, Str
         "Axial velocity (negative: towards smaller z), largest {}.",
         quantity(extreme, "m/s")
     );
-    Some((draw(title, view, layers), caption))
+    Some((
+        draw(&format!("Axial velocity, {title}"), view, layers),
+        caption,
+    ))
 }

@@ -7,27 +7,46 @@ use crate::report::run_data::RunData;
 use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
-const KEY_RESULTS: [(&str, &str); 17] = [
-    ("collapse_time", "Collapse time"),
+const KEY_RESULTS: [(&str, &str); 24] = [
+    (
+        "collapse_time",
+        "Collapse time, from the arrival of the wave",
+    ),
+    ("collapse_instant", "… at the instant"),
     ("rayleigh_time", "Rayleigh's collapse time"),
     (
         "smallest_bubble_radius",
         "Smallest equivalent radius of the bubble",
     ),
     ("jet_speed", "Jet speed"),
+    ("jet_time", "… at the instant"),
+    ("max_pressure", "Largest pressure in the liquid"),
     ("peak_wall_pressure", "Largest wall pressure"),
-    ("peak_wall_pressure_time", "… at the time"),
+    ("peak_wall_pressure_time", "… at the instant"),
     ("peak_wall_pressure_r", "… at the radius"),
     ("max_plastic_strain", "Largest plastic strain"),
     ("max_plastic_strain_r", "… at the radius"),
     ("max_plastic_strain_depth", "… at the depth"),
     ("max_strain_rate", "Largest plastic strain rate"),
-    ("plastic_work", "Plastic work"),
     ("plastic_volume", "Volume that yielded"),
+    ("plastic_work", "Plastic work"),
+    (
+        "bubble_energy",
+        "Energy of the bubble, pressure times volume",
+    ),
+    (
+        "plastic_deformation_potential_share",
+        "Plastic work per energy of the bubble",
+    ),
     ("pit_depth", "Pit depth"),
     ("pit_radius", "Pit radius"),
     ("energy_drift", "Energy ledger, closing error"),
+    ("energy_residual", "… in joules"),
     ("mass_drift", "Mass, closing error"),
+    (
+        "resolved_radius",
+        "Radius down to which the collapse is resolved",
+    ),
 ];
 
 /// Numbers that the section on the run shows.
@@ -113,6 +132,22 @@ pub(crate) fn write_comparison(page: &mut Page, data: &RunData) {
     }
 }
 
+/// The words of a known key, else the name itself.
+fn key_in_words(name: &str) -> String {
+    let Some(index) = KEY_RESULTS.iter().position(|(key, _)| *key == name) else {
+        return in_words(name);
+    };
+    let words = KEY_RESULTS[index].1;
+    // "… at the radius" continues the words above it.
+    let head = KEY_RESULTS[..index]
+        .iter()
+        .rfind(|(_, words)| !words.starts_with('…'));
+    match (words.strip_prefix("… "), head) {
+        (Some(rest), Some((_, head))) => format!("{head}, {rest}"),
+        _ => words.to_string(),
+    }
+}
+
 fn comparison_row(entry: &Value) -> Vec<String> {
     let text = |key: &str| {
         entry
@@ -143,7 +178,7 @@ fn comparison_row(entry: &Value) -> Vec<String> {
         _ => String::new(),
     };
     vec![
-        in_words(&name),
+        key_in_words(&name),
         cell("value"),
         cell("reference"),
         difference,
@@ -162,7 +197,7 @@ mod tests {
         assert_eq!(
             comparison_row(&entry),
             [
-                "Max plastic strain",
+                "Largest plastic strain",
                 "0.250 %",
                 "0.230 %",
                 "+8.7 %",
@@ -175,6 +210,11 @@ mod tests {
             comparison_row(&words),
             ["Place", "off the axis", "not available", "", ""]
         );
+        assert_eq!(
+            key_in_words("max_plastic_strain_r"),
+            "Largest plastic strain, at the radius"
+        );
+        assert_eq!(key_in_words("place_of_it"), "Place of it");
         assert_eq!(shown("max_strain_rate", 2.0e6, "1/s"), "2.000×10⁶ 1/s");
     }
 }

@@ -17,7 +17,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants, end: &
         page.absent(if data.frames.is_empty() {
             "Not known: no fields were written."
         } else {
-            "This run has no solid with plastic strain."
+            "This run has no solid with plastic strain, or its last snapshot cannot be read."
         });
         return;
     };

@@ -133,7 +133,7 @@ fn over_both(wall: &WallPressure) -> String {
     let values: Vec<Vec<f64>> = wall.pressure.iter().map(|p| p.to_vec()).collect();
     let range = robust_range(&values.concat(), 0.001).unwrap_or([0.0, 1.0]);
     let map = Map {
-        title: "Wall pressure".into(),
+        title: String::new(),
         x: (Axis::new("time", "s"), wall.time),
         y: (Axis::new("distance from the axis", "m"), &wall.radius),
         values: &values,

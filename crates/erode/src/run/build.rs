@@ -1,0 +1,152 @@
+//! From a checked case to a world of particles.
+
+use super::RunError;
+use crate::case::{self, BodyKind, FluidFormulation, Side, Simulation, SolidFormulation};
+use erode_physics::material_point::Material;
+use erode_sph::Geometry;
+use erode_sph::fluid::far_field::FarField;
+use erode_sph::fluid::ghosts::Plane;
+use erode_sph::fluid::{Fluid, Formulation, Start, corrected};
+use erode_sph::neighbours::cell_order;
+use erode_sph::packing::{Options, Packing, SMOOTHING, pack};
+use erode_sph::shapes::{Region, Shape};
+use erode_sph::solid::{Block, Face, Numerics, Setup, Solid};
+use erode_sph::world::{Body, Named, World};
+
+/// Room temperature, K: where solids start.
+const TEMPERATURE: f64 = 293.0;
+
+/// Fills all bodies with particles and sets what lies at their sides.
+///
+/// # Errors
+/// If a body cannot be filled with its spacing, or needs what this version does not have.
+pub fn world(simulation: &Simulation) -> Result<World, RunError> {
+    let bodies = simulation
+        .bodies
+        .iter()
+        .map(|body| {
+            let packing = filled(simulation.geometry, body)?;
+            let built = match &body.kind {
+                BodyKind::Fluid(f) => Body::Fluid(fluid(simulation.geometry, body, f, &packing)?),
+                BodyKind::Solid(s) => Body::Solid(solid(simulation.geometry, body, s, packing)?),
+            };
+            Ok(Named { name: body.name.clone(), body: built })
+        })
+        .collect::<Result<Vec<_>, RunError>>()?;
+    World::new(bodies, simulation.run.safety).map_err(RunError::from)
+}
+
+/// Particles in cell order.
+fn filled(geometry: Geometry, body: &case::Body) -> Result<Packing, RunError> {
+    let region = body.holes.iter().fold(Region::new(body.shape.clone()), |r, hole| r.with_hole(hole.clone()));
+    let options = Options { axis: geometry == Geometry::Axisymmetric, ..Options::default() };
+    let mut packing = pack(&region, &body.spacing, &options)
+        .map_err(|source| RunError::Packing { body: body.name.clone(), source })?;
+    let h: Vec<f64> = packing.spacing.iter().map(|s| SMOOTHING * s).collect();
+    let order = cell_order(&packing.position, &h);
+    let pick = |values: &[f64]| order.iter().map(|&i| values[i as usize]).collect::<Vec<f64>>();
+    packing.area = pick(&packing.area);
+    packing.spacing = pick(&packing.spacing);
+    packing.position = order.iter().map(|&i| packing.position[i as usize]).collect();
+    Ok(packing)
+}
+
+/// The rectangle of a body; only rectangles have sides.
+fn rectangle(body: &case::Body) -> Result<([f64; 2], [f64; 2]), RunError> {
+    match body.shape {
+        Shape::Rectangle { lower, upper } => Ok((lower, upper)),
+        Shape::Disc { .. } => Err(RunError::Unsupported {
+            body: body.name.clone(),
+            what: "a shape other than a rectangle (holes may be discs)".to_owned(),
+        }),
+    }
+}
+
+fn fluid(geometry: Geometry, body: &case::Body, f: &case::Fluid, packing: &Packing) -> Result<Fluid, RunError> {
+    let (lower, upper) = rectangle(body)?;
+    let mut fluid = Fluid::new(&Start {
+        geometry,
+        eos: f.eos,
+        position: &packing.position,
+        area: &packing.area,
+        pressure: f.pressure,
+        velocity: f.velocity,
+        formulation: formulation(body, f.formulation)?,
+    });
+    let sides = &body.sides;
+    let planes = [
+        (&sides.left, [1.0, 0.0], lower[0]),
+        (&sides.right, [-1.0, 0.0], -upper[0]),
+        (&sides.bottom, [0.0, 1.0], lower[1]),
+        (&sides.top, [0.0, -1.0], -upper[1]),
+    ];
+    for (side, normal, offset) in planes {
+        let plane = Plane { normal, offset, speed: 0.0 };
+        match side {
+            Side::Rigid => fluid.sides.push(plane),
+            Side::NonReflecting { pressure, wave } => {
+                let step = wave.map_or(0.0, |w| w.pressure);
+                let far = FarField {
+                    pressure: *pressure,
+                    step_pressure: pressure + step,
+                    start: wave.map_or(0.0, |w| w.start),
+                    ..FarField::NONE
+                };
+                fluid.open_side(&plane, far);
+            }
+            // The axis and interfaces are found by the particles themselves; a free side needs nothing.
+            Side::Axis | Side::Free | Side::Interface { .. } => {}
+        }
+    }
+    Ok(fluid)
+}
+
+fn formulation(body: &case::Body, f: FluidFormulation) -> Result<Formulation, RunError> {
+    match f {
+        FluidFormulation::Corrected { shifting } => {
+            Ok(Formulation::Corrected(corrected::Settings { shifting, ..corrected::Settings::default() }))
+        }
+        FluidFormulation::Joshi { .. } => Err(RunError::Unsupported {
+            body: body.name.clone(),
+            what: "the published formulation `joshi`".to_owned(),
+        }),
+    }
+}
+
+fn solid(geometry: Geometry, body: &case::Body, s: &case::Solid, packing: Packing) -> Result<Solid, RunError> {
+    let (lower, upper) = rectangle(body)?;
+    let SolidFormulation::TotalLagrangian { viscosity, hourglass } = s.formulation else {
+        return Err(RunError::Unsupported {
+            body: body.name.clone(),
+            what: "the published formulation `joshi` of a solid".to_owned(),
+        });
+    };
+    let face = |side: &Side| match side {
+        Side::Axis => Face::Axis,
+        Side::Rigid => Face::Symmetry,
+        Side::NonReflecting { .. } => Face::Absorbing,
+        Side::Free | Side::Interface { .. } => Face::Traction,
+    };
+    let sides = &body.sides;
+    let block = Block {
+        lower,
+        upper,
+        left: face(&sides.left),
+        right: face(&sides.right),
+        bottom: face(&sides.bottom),
+        top: face(&sides.top),
+    };
+    let material =
+        Material { elastic: s.elastic, strength: s.strength, density: s.density, temperature: TEMPERATURE };
+    let mut solid = Solid::new(Setup {
+        geometry,
+        block,
+        material,
+        numerics: Numerics { viscosity, hourglass, ..Numerics::default() },
+        position: packing.position,
+        area: packing.area,
+    })
+    .map_err(|source| RunError::Solid { body: body.name.clone(), source })?;
+    solid.state.velocity.fill(s.velocity);
+    Ok(solid)
+}
