@@ -5,6 +5,7 @@
 //! for `erode validate`.
 
 mod axis_consistency;
+mod cavities;
 mod check;
 mod error;
 mod figure;
@@ -79,11 +80,13 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 4] = [
+pub const ALL: [Validation; 6] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
     rayleigh_collapse::VALIDATION,
+    cavities::DETACHED_CAVITY,
+    cavities::ATTACHED_CAVITY,
 ];
 
 /// Names of all validations.
