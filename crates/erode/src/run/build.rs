@@ -15,6 +15,8 @@ use erode_sph::world::{Body, Named, World};
 
 /// Room temperature, K: where solids start.
 const TEMPERATURE: f64 = 293.0;
+/// The safety for which the Courant number of solids is given: `run.safety` scales the steps of all bodies alike.
+const USUAL_SAFETY: f64 = 0.3;
 
 /// Fills all bodies with particles and sets what lies at their sides.
 ///
@@ -28,7 +30,7 @@ pub fn world(simulation: &Simulation) -> Result<World, RunError> {
             let packing = filled(simulation.geometry, body)?;
             let built = match &body.kind {
                 BodyKind::Fluid(f) => Body::Fluid(fluid(simulation.geometry, body, f, &packing)?),
-                BodyKind::Solid(s) => Body::Solid(solid(simulation.geometry, body, s, packing)?),
+                BodyKind::Solid(s) => Body::Solid(solid(simulation, body, s, packing)?),
             };
             Ok(Named { name: body.name.clone(), body: built })
         })
@@ -113,7 +115,7 @@ fn formulation(body: &case::Body, f: FluidFormulation) -> Result<Formulation, Ru
     }
 }
 
-fn solid(geometry: Geometry, body: &case::Body, s: &case::Solid, packing: Packing) -> Result<Solid, RunError> {
+fn solid(simulation: &Simulation, body: &case::Body, s: &case::Solid, packing: Packing) -> Result<Solid, RunError> {
     let (lower, upper) = rectangle(body)?;
     let SolidFormulation::TotalLagrangian { viscosity, hourglass } = s.formulation else {
         return Err(RunError::Unsupported {
@@ -138,11 +140,13 @@ fn solid(geometry: Geometry, body: &case::Body, s: &case::Solid, packing: Packin
     };
     let material =
         Material { elastic: s.elastic, strength: s.strength, density: s.density, temperature: TEMPERATURE };
+    let usual = Numerics::default();
+    let courant = usual.courant * simulation.run.safety / USUAL_SAFETY;
     let mut solid = Solid::new(Setup {
-        geometry,
+        geometry: simulation.geometry,
         block,
         material,
-        numerics: Numerics { viscosity, hourglass, ..Numerics::default() },
+        numerics: Numerics { viscosity, hourglass, courant, ..usual },
         position: packing.position,
         area: packing.area,
     })
