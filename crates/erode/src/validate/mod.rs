@@ -10,7 +10,7 @@ mod error;
 mod figure;
 mod interface_wave;
 mod johnson_cook_point;
-pub mod main_case;
+mod main_case;
 mod markdown;
 mod materials;
 mod number;
@@ -79,11 +79,13 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 4] = [
+pub const ALL: [Validation; 6] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
     rayleigh_collapse::VALIDATION,
+    main_case::DETACHED,
+    main_case::ATTACHED,
 ];
 
 /// Names of all validations.
