@@ -42,6 +42,9 @@ pub enum Failure {
     /// A material point could not be driven along its path.
     #[error("the material point failed: {0}")]
     Path(#[from] PathError),
+    /// A run stopped.
+    #[error("the run stopped: {0}")]
+    Run(String),
     /// Something expected did not happen.
     #[error("{0}")]
     Absent(String),

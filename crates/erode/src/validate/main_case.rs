@@ -71,7 +71,7 @@ impl Observer for Listener<'_> {
 
 fn finding(source: &Source, quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     let n = if quick { RESOLUTION.0 } else { RESOLUTION.1 };
-    let problem = |e: &dyn std::fmt::Display| Failure::Absent(format!("the run failed: {e}"));
+    let problem = |e: &dyn std::fmt::Display| Failure::Run(e.to_string());
     let folder = tempfile::tempdir().map_err(|e| problem(&e))?;
     let case = folder.path().join("case.toml");
     fs::write(&case, source.case).map_err(|e| problem(&e))?;
@@ -95,7 +95,7 @@ fn simulate(
     n: u32,
     say: &mut dyn FnMut(&str),
 ) -> Result<Summary, Failure> {
-    let problem = |e: &dyn std::fmt::Display| Failure::Absent(format!("the run failed: {e}"));
+    let problem = |e: &dyn std::fmt::Display| Failure::Run(e.to_string());
     let output = folder.join("run");
     let start = Start {
         case: case.into(),
