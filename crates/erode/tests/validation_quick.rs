@@ -40,12 +40,24 @@ fn rayleigh_collapse() {
 }
 
 #[test]
+fn detached_cavity() {
+    quick("detached-cavity", &[]);
+}
+
+#[test]
+fn attached_cavity() {
+    quick("attached-cavity", &[]);
+}
+
+#[test]
 fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
         "axis-consistency",
         "interface-wave",
         "rayleigh-collapse",
+        "detached-cavity",
+        "attached-cavity",
     ];
     assert_eq!(names(), tested);
 }
