@@ -11,6 +11,7 @@ use crate::fluid::extended::Extended;
 use crate::fluid::ghosts::Ghosts;
 use crate::fluid::kinematics::Kinematics;
 use crate::geometry::{Geometry, Vec2};
+use crate::kernel;
 use crate::neighbours::Neighbours;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -134,5 +135,10 @@ fn flow(fluid: &Fluid, x: &Extended, shift: &[Vec2], a: usize, b: usize) -> f64 
     };
     let d = pair.separation;
     let along = (shift[a][0] + shift[b][0]) * d[0] + (shift[a][1] + shift[b][1]) * d[1];
-    ring * x.area[a] * x.area[b] * along * pair.factor
+    let (aa, ab) = (x.area[a], x.area[b]);
+    let kappa = *KAPPA.get_or_init(|| std::env::var("KAPPA").map_or(5.0, |v| v.parse().unwrap()));
+    let strain = 0.5 * (x.strain_rate[a] + x.strain_rate[b]);
+    let levelling = kappa * strain * kernel::value(pair.distance, pair.h) * 2.0 * (ab - aa) / (aa + ab);
+    ring * aa * ab * (along * pair.factor + levelling)
 }
+static KAPPA: std::sync::OnceLock<f64> = std::sync::OnceLock::new();
