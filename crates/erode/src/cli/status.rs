@@ -2,7 +2,7 @@
 
 use super::{
     args::{ReportArgs, StatusArgs},
-    failure::{FAILED, Failure, Outcome},
+    failure::{FAILED, Failure, Outcome, WRONG_INPUT},
     say::say,
 };
 use erode::output::{RunPaths, State, Status};
@@ -24,8 +24,18 @@ pub(crate) fn status(args: &StatusArgs) -> Outcome {
         State::Interrupted => "interrupted: `erode resume` goes on",
     };
     say!("state      {state}");
-    say!("time       {:.4e} s of {:.4e} s ({:.1} %)", s.time, s.end_time, 100.0 * s.time / s.end_time);
-    say!("step       {} (dt {:.3e} s, limited by {})", s.step, s.dt, s.limiter);
+    say!(
+        "time       {:.4e} s of {:.4e} s ({:.1} %)",
+        s.time,
+        s.end_time,
+        100.0 * s.time / s.end_time
+    );
+    say!(
+        "step       {} (dt {:.3e} s, limited by {})",
+        s.step,
+        s.dt,
+        s.limiter
+    );
     if let (Some(rate), Some(eta)) = (s.steps_per_second, s.eta) {
         say!("speed      {rate:.1} steps/s, {eta:.0} s left");
     }
@@ -46,8 +56,17 @@ pub(crate) fn report(args: &ReportArgs) -> Outcome {
             Ok(())
         }
         Err(e) => {
-            let code = if args.dir.is_dir() { FAILED } else { super::failure::WRONG_INPUT };
-            Err(Failure::Other { code, message: e.to_string(), help: String::new() })
+            use erode::report::ReportError::{NoFolder, NotARun};
+            let code = if matches!(e, NoFolder { .. } | NotARun { .. }) {
+                WRONG_INPUT
+            } else {
+                FAILED
+            };
+            Err(Failure::Other {
+                code,
+                message: e.to_string(),
+                help: String::new(),
+            })
         }
     }
 }
