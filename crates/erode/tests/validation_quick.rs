@@ -10,7 +10,7 @@ const KNOWN_MISSES: [&str; 1] =
     ["absorbing right face of steel, head on: returned part of the pulse"];
 
 fn quick(name: &str, known: &[&str]) {
-    let outcomes = run(&[name.to_owned()], false, true, &mut |_| ()).unwrap();
+    let outcomes = run(&[name.to_owned()], false, true, &mut |_| ()).expect("the names are known");
     for outcome in outcomes {
         let table = text(&outcome);
         println!("{table}");

@@ -20,7 +20,7 @@ mod table;
 pub use check::{Check, Kind};
 pub use error::{Failure, ValidateError};
 pub use figure::{Curve, Figure, Style};
-pub use markdown::{markdown, write_markdown};
+pub use markdown::{markdown, today, write_markdown};
 pub use table::text;
 
 use serde::Serialize;

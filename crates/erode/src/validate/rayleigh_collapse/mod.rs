@@ -79,8 +79,8 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
 
 const TIME_REASON: &str = "issue 2; first-order loss at the free surface, found to be 1.3 % at most with 60 and 2 % with 30 \
                            particles per radius in the experiments that chose the formulation";
-const START_REASON: &str = "not judged: the first row of particles leaves at 1.5 p/(rho c) and the bulk catches up with it \
-                            near 0.95 R0, with any n; until then the radius is up to 0.0025 R0 too small";
+const START_REASON: &str = "not judged: the void of a lattice cut by a circle has the radius R0 to 0.05 % at best, which \
+                            alone is 2 % of the time to 0.98 R0 and 1 % of that to 0.96 R0";
 const SPEED_REASON: &str = "issue 2; the same experiments found 6 to 10 % too slow";
 const ROUND_REASON: &str =
     "issue 2; a lattice loses the roundness of the start as parcels change their order";
