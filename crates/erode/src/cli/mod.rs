@@ -9,6 +9,7 @@ mod new;
 mod run;
 mod say;
 mod status;
+mod validate;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -45,7 +46,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Run(args) => run::run(args),
         Command::Resume(args) => run::resume(args),
         Command::Report(args) => status::report(args),
-        Command::Validate(_) => Err(Failure::not_built("validate")),
+        Command::Validate(args) => validate::run(args),
         Command::Status(args) => status::status(args),
     }
 }
