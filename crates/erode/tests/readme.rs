@@ -16,7 +16,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .ancestors()
         .nth(2)
-        .unwrap()
+        .expect("the crate lies two folders below the root")
         .to_path_buf()
 }
 
@@ -29,8 +29,8 @@ fn documents() -> Vec<PathBuf> {
     let mut found = Vec::new();
     let folders = [".", "docs", "cases", "validation"].map(|f| root().join(f));
     let below = |folder: &Path| -> Vec<PathBuf> {
-        let entries = fs::read_dir(folder).unwrap();
-        entries.map(|e| e.unwrap().path()).collect()
+        let entries = fs::read_dir(folder).expect("the folder can be read");
+        entries.map(|e| e.expect("the folder can be read").path()).collect()
     };
     for (depth, folder) in folders.iter().enumerate() {
         for path in below(folder) {

@@ -8,7 +8,7 @@ const KNOWN_MISSES: [&str; 1] =
     ["absorbing right face of steel, head on: returned part of the pulse"];
 
 fn quick(name: &str, known: &[&str]) {
-    let outcomes = run(&[name.to_owned()], false, true, &mut |_| ()).unwrap();
+    let outcomes = run(&[name.to_owned()], false, true, &mut |_| ()).expect("the name is known");
     for outcome in outcomes {
         let table = text(&outcome);
         println!("{table}");
@@ -40,12 +40,24 @@ fn rayleigh_collapse() {
 }
 
 #[test]
+fn detached_cavity() {
+    quick("detached-cavity", &[]);
+}
+
+#[test]
+fn attached_cavity() {
+    quick("attached-cavity", &[]);
+}
+
+#[test]
 fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
         "axis-consistency",
         "interface-wave",
         "rayleigh-collapse",
+        "detached-cavity",
+        "attached-cavity",
     ];
     assert_eq!(names(), tested);
 }

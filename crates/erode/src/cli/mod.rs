@@ -13,7 +13,7 @@ mod validate;
 
 use args::{Cli, Command};
 use clap::Parser;
-use failure::{Failure, Outcome};
+use failure::Outcome;
 use std::process::ExitCode;
 
 /// Reads the command line, runs the command, turns its outcome into an exit code.

@@ -3,7 +3,7 @@
 use super::{
     args::{ResumeArgs, RunArgs},
     failure::{FAILED, Failure, INTERRUPTED, Outcome, WRONG_INPUT},
-    say::say,
+    say::{say, say_if_heard},
 };
 use erode::run::{self, Ended, Observer, Progress, RunError, Start};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -31,7 +31,6 @@ pub(crate) fn run(args: &RunArgs) -> Outcome {
         output: output.clone(),
         threads: args.threads.map(usize::from),
     };
-    say!("run folder: {}", output.display());
     let stop = stop_flag()?;
     let ended = run::start(&options, &stop, &mut Screen::new());
     conclude(ended, &output)
@@ -156,7 +155,7 @@ impl Observer for Screen {
     fn say(&mut self, text: &str) {
         match &self.bar {
             Some(bar) => bar.println(text),
-            None => say!("{text}"),
+            None => say_if_heard(text),
         }
     }
 
@@ -179,7 +178,7 @@ impl Observer for Screen {
             }
             None if self.line.elapsed() >= LINE_EVERY => {
                 self.line = Instant::now();
-                say!("{text}");
+                say_if_heard(&text);
             }
             None => {}
         }

@@ -23,3 +23,8 @@ pub(crate) fn line(text: Arguments<'_>) {
     eprintln!("error: the output cannot be written: {e}");
     std::process::exit(i32::from(super::failure::FAILED));
 }
+
+/// Prints a line of progress. A run goes on when nobody can hear of it any more.
+pub(crate) fn say_if_heard(text: &str) {
+    let _ = writeln!(io::stdout().lock(), "{text}");
+}

@@ -2,7 +2,7 @@
 
 use super::{
     args::{ReportArgs, StatusArgs},
-    failure::{FAILED, Failure, Outcome},
+    failure::{FAILED, Failure, Outcome, WRONG_INPUT},
     say::say,
 };
 use erode::output::{RunPaths, State, Status};
@@ -56,10 +56,11 @@ pub(crate) fn report(args: &ReportArgs) -> Outcome {
             Ok(())
         }
         Err(e) => {
-            let code = if args.dir.is_dir() {
-                FAILED
+            use erode::report::ReportError::{NoFolder, NotARun};
+            let code = if matches!(e, NoFolder { .. } | NotARun { .. }) {
+                WRONG_INPUT
             } else {
-                super::failure::WRONG_INPUT
+                FAILED
             };
             Err(Failure::Other {
                 code,

@@ -17,8 +17,10 @@ pub(crate) fn run(args: &ValidateArgs) -> Outcome {
         }
         return Ok(());
     }
-    let outcomes = validate::run(&args.names, args.all, args.quick, &mut |text| eprintln!("{text}"))
-        .map_err(|e| Failure::input(e.to_string(), "`erode validate` lists them"))?;
+    let outcomes = validate::run(&args.names, args.all, args.quick, &mut |text| {
+        eprintln!("{text}")
+    })
+    .map_err(|e| Failure::input(e.to_string(), "`erode validate` lists them"))?;
     let mut missed = 0;
     for outcome in &outcomes {
         say!("{}", validate::text(outcome));
@@ -35,7 +37,11 @@ pub(crate) fn run(args: &ValidateArgs) -> Outcome {
     }
     if missed > 0 {
         let message = format!("{missed} tolerance(s) missed");
-        return Err(Failure::Other { code: FAILED, message, help: "the table above says which, and why they are what they are".into() });
+        return Err(Failure::Other {
+            code: FAILED,
+            message,
+            help: "the table above says which, and why they are what they are".into(),
+        });
     }
     Ok(())
 }

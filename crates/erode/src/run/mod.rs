@@ -3,14 +3,19 @@
 mod build;
 mod drive;
 mod error;
+mod files;
 mod ledger;
 mod monitor;
+mod observer;
 mod probes;
 mod results;
 mod state;
+mod steps;
+mod watch;
 
 pub use build::world;
-pub use drive::{Ended, Observer, Progress, Quiet, Start, resume, start};
+pub use drive::{Ended, Start, resume, start};
 pub use error::RunError;
 pub use ledger::Ledger;
 pub use monitor::{BubbleState, Metal, bubble};
+pub use observer::{Observer, Progress, Quiet};

@@ -5,13 +5,12 @@
 //! for `erode validate`.
 
 mod axis_consistency;
-mod cavities;
 mod check;
 mod error;
 mod figure;
 mod interface_wave;
 mod johnson_cook_point;
-pub mod main_case;
+mod main_case;
 mod markdown;
 mod materials;
 mod number;
@@ -85,8 +84,8 @@ pub const ALL: [Validation; 6] = [
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
     rayleigh_collapse::VALIDATION,
-    cavities::DETACHED_CAVITY,
-    cavities::ATTACHED_CAVITY,
+    main_case::DETACHED,
+    main_case::ATTACHED,
 ];
 
 /// Names of all validations.

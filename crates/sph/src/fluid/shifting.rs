@@ -141,6 +141,7 @@ fn flow(fluid: &Fluid, x: &Extended, shift: &[Vec2], a: usize, b: usize) -> f64 
     let along = (shift[a][0] + shift[b][0]) * d[0] + (shift[a][1] + shift[b][1]) * d[1];
     let (aa, ab) = (x.area[a], x.area[b]);
     let strain = 0.5 * (x.strain_rate[a] + x.strain_rate[b]);
-    let levelling = LEVELLING * strain * kernel::value(pair.distance, pair.h) * 2.0 * (ab - aa) / (aa + ab);
+    let levelling =
+        LEVELLING * strain * kernel::value(pair.distance, pair.h) * 2.0 * (ab - aa) / (aa + ab);
     ring * aa * ab * (along * pair.factor + levelling)
 }

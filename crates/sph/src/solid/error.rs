@@ -75,8 +75,10 @@ pub enum SolidError {
     },
     /// A particle turned inside out.
     #[error(
-        "solid particle {particle} at {position:?} m is turned inside out (volume ratio {volume_ratio}); the time step \
-         was too large or the load is beyond what the body can carry"
+        "`deformation` of particle {particle} at r = {:.4e} m, z = {:.4e} m is turned inside out (volume ratio \
+         {volume_ratio:.3})",
+        position[0],
+        position[1]
     )]
     Inverted {
         /// Its index.
@@ -88,7 +90,9 @@ pub enum SolidError {
     },
     /// The stress could not be returned.
     #[error(
-        "the stress of solid particle {particle} at {position:?} m could not be updated: {source}"
+        "`stress` of particle {particle} at r = {:.4e} m, z = {:.4e} m could not be updated: {source}",
+        position[0],
+        position[1]
     )]
     Return {
         /// Its index.

@@ -32,8 +32,10 @@ const SOFTENING: Thermal = Thermal {
     taylor_quinney: 0.9,
 };
 
-const REASON: &str = "issue 2; the step of the point is first order: 1e-7 of the path with 50 000 steps";
-const QUASI_STATIC: &str = "issue 2; below the reference rate the law has no rate and the return is exact for any step";
+const REASON: &str =
+    "issue 2; the step of the point is first order: 1e-7 of the path with 50 000 steps";
+const QUASI_STATIC: &str =
+    "issue 2; below the reference rate the law has no rate and the return is exact for any step";
 
 const STEPS: u32 = 50_000;
 

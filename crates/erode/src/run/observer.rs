@@ -1,0 +1,39 @@
+//! Who watches a run, and what is told.
+
+/// Progress for people.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress<'a> {
+    /// Simulated time, s.
+    pub time: f64,
+    /// Simulated time at the end, s.
+    pub end_time: f64,
+    /// Steps done.
+    pub step: u64,
+    /// Steps per second of computing.
+    pub steps_per_second: f64,
+    /// Last time step, s.
+    pub dt: f64,
+    /// What limited it.
+    pub limiter: &'a str,
+    /// Energy that the ledger cannot account for, relative to what was put in.
+    pub energy_drift: f64,
+}
+
+/// Who watches a run.
+pub trait Observer {
+    /// A sentence.
+    fn say(&mut self, text: &str);
+    /// Called about once a second.
+    fn progress(&mut self, progress: &Progress);
+    /// Called once at the end, before the last sentences.
+    fn finish(&mut self) {}
+}
+
+/// Nobody watches.
+#[derive(Debug, Clone, Copy)]
+pub struct Quiet;
+
+impl Observer for Quiet {
+    fn say(&mut self, _: &str) {}
+    fn progress(&mut self, _: &Progress) {}
+}

@@ -1,0 +1,325 @@
+//! The loop of a run: step, watch, write; stop when asked.
+
+use super::drive::Ended;
+use super::files::Files;
+use super::monitor::{self, Record};
+use super::observer::{Observer, Progress};
+use super::{RunError, results, state, watch};
+use crate::case::Simulation;
+use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, State, Status};
+use erode_sph::world::{Body, Limiter, World};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// Seconds between updates of `status.json`.
+const STATUS_EVERY: f64 = 1.0;
+/// Particles within this many finest spacings of a failure are written out.
+const SURROUNDINGS: f64 = 10.0;
+
+/// A run in progress.
+pub(crate) struct Run {
+    files: Files,
+    simulation: Simulation,
+    world: World,
+    hash: String,
+    record: Record,
+    cell: f64,
+    first_dt: f64,
+    /// Last time step and what limited it.
+    last: (f64, Limiter),
+    begun: Instant,
+    first_step: u64,
+}
+
+impl Run {
+    /// A run at its start, with its first row, snapshot and checkpoint: it can be resumed from the first step on.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub(crate) fn new(
+        folder: RunFolder,
+        simulation: Simulation,
+        world: World,
+        hash: String,
+    ) -> Result<Self, RunError> {
+        let files = Files::open(folder, &simulation, &world, None)?;
+        let last = world.stable_time_step();
+        let mut run = Self::with(files, simulation, world, hash, last);
+        run.record.initial_balance = super::Ledger::of(&run.world).balance();
+        run.record.initial_mass = monitor::liquid(&run.world).map_or(0.0, |f| f.mass.iter().sum());
+        if let Some(b) = &run.simulation.bubble {
+            run.record.initial_volume = monitor::bubble(&run.world, b, run.cell).volume;
+            run.record.smallest_volume = run.record.initial_volume;
+        }
+        run.write_row(0.0)?;
+        run.files.write_fields(&run.world)?;
+        run.write_checkpoint()?;
+        Ok(run)
+    }
+
+    /// A run as it was at a checkpoint.
+    ///
+    /// # Errors
+    /// If the checkpoint does not fit the case, or a file cannot be written.
+    pub(crate) fn from_checkpoint(
+        folder: RunFolder,
+        simulation: Simulation,
+        mut world: World,
+        hash: String,
+        checkpoint: &Checkpoint,
+    ) -> Result<Self, RunError> {
+        let extra = &checkpoint.meta.extra;
+        let wrong = |what: &str, e: serde_json::Error| {
+            RunError::Checkpoint(format!("its {what} is not readable ({e})"))
+        };
+        state::restore(&mut world, checkpoint, &extra["accounts"])?;
+        let files = Files::open(folder, &simulation, &world, Some(extra))?;
+        let last = world.stable_time_step();
+        let mut run = Self::with(files, simulation, world, hash, last);
+        run.first_dt = serde_json::from_value(extra["first_dt"].clone())
+            .map_err(|e| wrong("first time step", e))?;
+        run.record =
+            serde_json::from_value(extra["record"].clone()).map_err(|e| wrong("record", e))?;
+        Ok(run)
+    }
+
+    fn with(
+        files: Files,
+        simulation: Simulation,
+        world: World,
+        hash: String,
+        last: (f64, Limiter),
+    ) -> Self {
+        let finest = simulation
+            .bodies
+            .iter()
+            .map(|b| b.spacing.finest)
+            .fold(f64::INFINITY, f64::min);
+        Self {
+            files,
+            simulation,
+            hash,
+            record: Record::default(),
+            cell: 0.5 * finest,
+            first_dt: last.0,
+            last,
+            begun: Instant::now(),
+            first_step: world.step,
+            world,
+        }
+    }
+
+    /// Steps to the end, or until it is asked to stop or fails; `status.json` tells which.
+    ///
+    /// # Errors
+    /// If the calculation fails or a file cannot be written.
+    pub(crate) fn go(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<Ended, RunError> {
+        let ended = self.steps(stop, observer);
+        observer.finish();
+        let ended = match ended {
+            Ok(true) => self.finish(observer),
+            Ok(false) => self.interrupt(),
+            Err(error) => Err(error),
+        };
+        if let Err(error) = &ended
+            && !matches!(error, RunError::Report(_))
+        {
+            // On a full disk the status may fail as well; the first error is the one to tell.
+            let _ = self.write_status(State::Failed, Some(&error.to_string()));
+        }
+        ended
+    }
+
+    /// The loop; whether it reached the end.
+    fn steps(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
+        let particles: usize = self.world.bodies.iter().map(|b| count(&b.body)).sum();
+        observer.say(&format!(
+            "{particles} particles, {} threads",
+            rayon::current_num_threads()
+        ));
+        let mut shown = Instant::now();
+        self.write_status(State::Running, None)?;
+        while !self.finished() {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(false);
+            }
+            let before = self.world.time;
+            self.last = self.world.stable_time_step();
+            self.checked_step()?;
+            self.write_due(before)?;
+            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
+                shown = Instant::now();
+                observer.progress(&self.progress());
+                self.write_status(State::Running, None)?;
+            }
+        }
+        Ok(true)
+    }
+
+    fn finished(&self) -> bool {
+        let run = &self.simulation.run;
+        self.world.time >= run.end_time || run.max_steps.is_some_and(|n| self.world.step >= n)
+    }
+
+    fn drift(&self) -> f64 {
+        self.record.energy_drift / self.record.energy_scale.max(f64::MIN_POSITIVE)
+    }
+
+    fn progress(&self) -> Progress<'_> {
+        Progress {
+            time: self.world.time,
+            end_time: self.simulation.run.end_time,
+            step: self.world.step,
+            steps_per_second: (self.world.step - self.first_step) as f64
+                / self.begun.elapsed().as_secs_f64(),
+            dt: self.last.0,
+            limiter: self.last.1.reason,
+            energy_drift: self.drift(),
+        }
+    }
+
+    fn checked_step(&mut self) -> Result<(), RunError> {
+        let (dt, limiter) = self.last.clone();
+        let mut finding = watch::short_step(dt, self.first_dt, &limiter);
+        if finding.is_none() {
+            finding = match self.world.advance(dt) {
+                Ok(()) => watch::implausible(&self.world),
+                Err(error) => Some(watch::failed_step(error, &limiter)?),
+            };
+        }
+        self.refuse(finding)?;
+        self.record.see_step(&self.world, limiter.reason);
+        Ok(())
+    }
+
+    /// Ends the run if the watch found something.
+    fn refuse(&self, finding: Option<watch::Finding>) -> Result<(), RunError> {
+        let Some(finding) = finding else {
+            return Ok(());
+        };
+        let step = watch::Step {
+            dt: self.last.0,
+            limiter: &self.last.1,
+            safety: self.simulation.run.safety,
+            radius: 2.0 * SURROUNDINGS * self.cell,
+        };
+        Err(finding.into_error(&self.world, &step, self.files.paths()))
+    }
+
+    /// Rows, snapshots and checkpoints whose time has come since `before`: at the first step at or behind each multiple
+    /// of the interval.
+    fn write_due(&mut self, before: f64) -> Result<(), RunError> {
+        let output = self.simulation.output.clone();
+        let now = self.world.time;
+        let due = |every: f64| every > 0.0 && (now / every).floor() > (before / every).floor();
+        if due(output.history_every) || self.finished() {
+            self.write_row(self.last.0)?;
+            self.refuse(watch::open_ledger(
+                &self.record,
+                self.simulation.bubble.as_ref(),
+                &self.last.1,
+            ))?;
+        }
+        if due(output.fields_every) || self.finished() {
+            self.files.write_fields(&self.world)?;
+        }
+        if due(output.checkpoint_every) {
+            self.write_checkpoint()?;
+        }
+        Ok(())
+    }
+
+    fn write_row(&mut self, dt: f64) -> Result<(), RunError> {
+        let row = monitor::row(
+            &self.world,
+            &self.simulation,
+            self.cell,
+            dt,
+            &mut self.record,
+        );
+        self.files.write_row(&self.world, &self.simulation, &row)
+    }
+
+    fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        let mut extra = self.files.mark(&self.simulation)?;
+        let mut record = self.record.clone();
+        record.wall_time += self.begun.elapsed().as_secs_f64();
+        let record =
+            serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
+        extra.insert("first_dt".into(), self.first_dt.into());
+        extra.insert("record".into(), record);
+        extra.insert("accounts".into(), state::accounts(&self.world));
+        let mut checkpoint = Checkpoint::new(CheckpointMeta {
+            code_version: env!("CARGO_PKG_VERSION").to_owned(),
+            case_hash: self.hash.clone(),
+            time: self.world.time,
+            step: self.world.step,
+            extra: extra.into(),
+        });
+        state::store(&self.world, &mut checkpoint)?;
+        CheckpointStore::new(self.files.paths().checkpoints()).write(&checkpoint)?;
+        Ok(())
+    }
+
+    fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
+        let p = self.progress();
+        let rate =
+            (state == State::Running && p.steps_per_second > 0.0).then_some(p.steps_per_second);
+        let status = Status {
+            state,
+            time: p.time,
+            end_time: p.end_time,
+            step: p.step,
+            dt: p.dt,
+            limiter: p.limiter.to_owned(),
+            steps_per_second: rate,
+            eta: rate.map(|r| (p.end_time - p.time).max(0.0) / p.dt / r),
+            energy_drift: Some(p.energy_drift),
+            pid: std::process::id(),
+            message: message.map(str::to_owned),
+        };
+        Ok(status.write(&self.files.paths().status())?)
+    }
+
+    fn interrupt(&mut self) -> Result<Ended, RunError> {
+        self.write_checkpoint()?;
+        self.write_status(State::Interrupted, Some("asked to stop"))?;
+        Ok(Ended::Interrupted {
+            time: self.world.time,
+        })
+    }
+
+    fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+        self.write_checkpoint()?;
+        let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
+        let threads = rayon::current_num_threads();
+        let mut summary = results::summary(
+            &self.world,
+            &self.simulation,
+            &self.record,
+            wall_time,
+            threads,
+        );
+        summary.set_input_hash("resolved.toml", &self.hash);
+        summary.write(&self.files.paths().summary())?;
+        self.write_status(State::Done, None)?;
+        let drift = 100.0 * self.drift();
+        observer.say(&format!(
+            "{} steps in {wall_time:.1} s, energy ledger {drift:+.2} %",
+            self.world.step
+        ));
+        let report = crate::report::build(self.files.paths().root())?;
+        Ok(Ended::Done { report })
+    }
+}
+
+fn count(body: &Body) -> usize {
+    match body {
+        Body::Fluid(f) => f.len(),
+        Body::Solid(s) => s.len(),
+    }
+}
