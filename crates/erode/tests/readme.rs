@@ -30,7 +30,9 @@ fn documents() -> Vec<PathBuf> {
     let folders = [".", "docs", "cases", "validation"].map(|f| root().join(f));
     let below = |folder: &Path| -> Vec<PathBuf> {
         let entries = fs::read_dir(folder).expect("the folder can be read");
-        entries.map(|e| e.expect("the folder can be read").path()).collect()
+        entries
+            .map(|e| e.expect("the folder can be read").path())
+            .collect()
     };
     for (depth, folder) in folders.iter().enumerate() {
         for path in below(folder) {
