@@ -37,8 +37,8 @@ pub struct Finding {
     pub notes: Vec<String>,
 }
 
-/// What runs a validation: whether in its quick form, and who hears what is being done.
-type Run = fn(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure>;
+/// Runs a validation in its quick (`true`) or full form and says what it does.
+type Form = fn(bool, &mut dyn FnMut(&str)) -> Result<Finding, Failure>;
 
 /// A validation.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +50,7 @@ pub struct Validation {
     /// What it is compared with, and where that comes from.
     pub reference: &'static str,
     /// Runs it in its quick or full form; says what it does through the last argument.
-    run: Run,
+    run: Form,
 }
 
 /// What came out of one validation.
