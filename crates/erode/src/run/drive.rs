@@ -40,7 +40,11 @@ pub enum Ended {
 ///
 /// # Errors
 /// A wrong case, a folder that cannot be used, a calculation that fails.
-pub fn start(options: &Start, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+pub fn start(
+    options: &Start,
+    stop: &AtomicBool,
+    observer: &mut dyn Observer,
+) -> Result<Ended, RunError> {
     let loaded = Case::load(&options.case, &options.overrides, &[]).map_err(RunError::Case)?;
     let folder = RunFolder::create(&options.output)?;
     observer.say(&format!("run folder: {}", options.output.display()));
@@ -57,11 +61,18 @@ pub fn start(options: &Start, stop: &AtomicBool, observer: &mut dyn Observer) ->
 ///
 /// # Errors
 /// No usable checkpoint, a folder that cannot be used, a calculation that fails.
-pub fn resume(dir: &Path, threads: Option<usize>, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+pub fn resume(
+    dir: &Path,
+    threads: Option<usize>,
+    stop: &AtomicBool,
+    observer: &mut dyn Observer,
+) -> Result<Ended, RunError> {
     let folder = RunFolder::open(dir)?;
     let loaded = Case::load(&folder.paths().resolved(), &[], &[]).map_err(RunError::Case)?;
-    let text = std::fs::read(folder.paths().resolved())
-        .map_err(|cause| OutputError::Read { path: folder.paths().resolved(), cause })?;
+    let text = std::fs::read(folder.paths().resolved()).map_err(|cause| OutputError::Read {
+        path: folder.paths().resolved(),
+        cause,
+    })?;
     let hash = hash_hex(&text);
     let store = CheckpointStore::new(folder.paths().checkpoints());
     let found = store.load_newest(&hash)?;
@@ -69,17 +80,27 @@ pub fn resume(dir: &Path, threads: Option<usize>, stop: &AtomicBool, observer: &
         observer.say(&format!("{refused}"));
     }
     store.set_aside(&found.refused)?;
-    observer.say(&format!("going on from {} (t = {:.4e} s)", found.path.display(), found.checkpoint.meta.time));
+    observer.say(&format!(
+        "going on from {} (t = {:.4e} s)",
+        found.path.display(),
+        found.checkpoint.meta.time
+    ));
     with_threads(threads, || {
         let world = build::world(&loaded.simulation)?;
-        Run::from_checkpoint(folder, loaded.simulation, world, hash, &found.checkpoint)?.go(stop, observer)
+        Run::from_checkpoint(folder, loaded.simulation, world, hash, &found.checkpoint)?
+            .go(stop, observer)
     })
 }
 
-fn with_threads<T: Send>(threads: Option<usize>, work: impl FnOnce() -> Result<T, RunError>) -> Result<T, RunError> {
+fn with_threads<T: Send>(
+    threads: Option<usize>,
+    work: impl FnOnce() -> Result<T, RunError>,
+) -> Result<T, RunError> {
     if let Some(n) = threads {
         // The global pool can be set once; a second run in one process keeps the first one's pool.
-        let built = rayon::ThreadPoolBuilder::new().num_threads(n).build_global();
+        let built = rayon::ThreadPoolBuilder::new()
+            .num_threads(n)
+            .build_global();
         if let Err(e) = built
             && rayon::current_num_threads() != n
         {

@@ -40,13 +40,19 @@ impl Files {
     ) -> Result<Self, RunError> {
         let paths = folder.paths();
         let rows = |table: &str| marks.map(|m| m["rows"][table].as_u64().unwrap_or(0));
-        let history = open(&paths.history(), &monitor::columns(simulation), rows("history"))?;
+        let history = open(
+            &paths.history(),
+            &monitor::columns(simulation),
+            rows("history"),
+        )?;
         let wall = Wall::open(paths, world, rows("wall"))?;
         let probes = simulation
             .probes
             .iter()
             .map(|p| {
-                let columns = body(world, &p.body).map(probes::columns).unwrap_or_default();
+                let columns = body(world, &p.body)
+                    .map(probes::columns)
+                    .unwrap_or_default();
                 open(&paths.probe(&p.name), &columns, rows(&probe_mark(&p.name)))
             })
             .collect::<Result<Vec<_>, RunError>>()?;
@@ -56,7 +62,14 @@ impl Files {
             fields.truncate(world.time)?;
         }
         let snapshots = marks.and_then(|m| m["snapshots"].as_u64()).unwrap_or(0);
-        Ok(Self { folder, history, wall, probes, fields, snapshots })
+        Ok(Self {
+            folder,
+            history,
+            wall,
+            probes,
+            fields,
+            snapshots,
+        })
     }
 
     /// Where everything lies.
@@ -68,7 +81,12 @@ impl Files {
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub(crate) fn write_row(&mut self, world: &World, simulation: &Simulation, row: &[f64]) -> Result<(), RunError> {
+    pub(crate) fn write_row(
+        &mut self,
+        world: &World,
+        simulation: &Simulation,
+        row: &[f64],
+    ) -> Result<(), RunError> {
         self.history.write_row(row)?;
         if let Some(wall) = &mut self.wall {
             wall.write_row(world)?;
@@ -90,8 +108,16 @@ impl Files {
         for (part, named) in world.bodies.iter().enumerate() {
             let path = self.folder.paths().snapshot(&named.name, self.snapshots);
             probes::snapshot(&named.body, world.time).write(&path, Encoding::Zlib)?;
-            let file = format!("fields/{}", path.file_name().unwrap_or_default().to_string_lossy());
-            entries.push(Entry { time: world.time, part, name: named.name.clone(), file });
+            let file = format!(
+                "fields/{}",
+                path.file_name().unwrap_or_default().to_string_lossy()
+            );
+            entries.push(Entry {
+                time: world.time,
+                part,
+                name: named.name.clone(),
+                file,
+            });
         }
         self.fields.add(entries)?;
         self.snapshots += 1;
@@ -124,7 +150,9 @@ impl Files {
 impl Wall {
     /// None if no body of the world has a wetted surface.
     fn open(paths: &RunPaths, world: &World, rows: Option<u64>) -> Result<Option<Self>, RunError> {
-        let Some(surface) = monitor::solid(world).and_then(|s| s.surface(Side::Top)) else { return Ok(None) };
+        let Some(surface) = monitor::solid(world).and_then(|s| s.surface(Side::Top)) else {
+            return Ok(None);
+        };
         // Evenly among all points.
         let stride = surface.pressure.len().div_ceil(WALL_COLUMNS).max(1);
         let points: Vec<usize> = (0..surface.pressure.len()).step_by(stride).collect();
@@ -139,7 +167,11 @@ impl Wall {
     fn write_row(&mut self, world: &World) -> Result<(), RunError> {
         if let Some(surface) = monitor::solid(world).and_then(|s| s.surface(Side::Top)) {
             let values = self.points.iter().map(|&j| surface.pressure[j]);
-            self.table.write_row(&std::iter::once(world.time).chain(values).collect::<Vec<_>>())?;
+            self.table.write_row(
+                &std::iter::once(world.time)
+                    .chain(values)
+                    .collect::<Vec<_>>(),
+            )?;
         }
         Ok(())
     }
@@ -157,5 +189,9 @@ fn probe_mark(name: &str) -> String {
 }
 
 fn body<'a>(world: &'a World, name: &str) -> Option<&'a Body> {
-    world.bodies.iter().find(|b| b.name == name).map(|b| &b.body)
+    world
+        .bodies
+        .iter()
+        .find(|b| b.name == name)
+        .map(|b| &b.body)
 }

@@ -6,7 +6,7 @@ use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
 use super::{RunError, results, state, watch};
 use crate::case::Simulation;
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, State, Status};
+use crate::output::{Checkpoint, RunFolder, State};
 use erode_sph::world::{Body, Limiter, World};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -18,17 +18,17 @@ const SURROUNDINGS: f64 = 10.0;
 
 /// A run in progress.
 pub(crate) struct Run {
-    files: Files,
-    simulation: Simulation,
-    world: World,
-    hash: String,
-    record: Record,
-    cell: f64,
-    first_dt: f64,
+    pub(super) files: Files,
+    pub(super) simulation: Simulation,
+    pub(super) world: World,
+    pub(super) hash: String,
+    pub(super) record: Record,
+    pub(super) cell: f64,
+    pub(super) first_dt: f64,
     /// Last time step and what limited it.
-    last: (f64, Limiter),
-    begun: Instant,
-    first_step: u64,
+    pub(super) last: (f64, Limiter),
+    pub(super) begun: Instant,
+    pub(super) first_step: u64,
 }
 
 impl Run {
@@ -36,7 +36,12 @@ impl Run {
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub(crate) fn new(folder: RunFolder, simulation: Simulation, world: World, hash: String) -> Result<Self, RunError> {
+    pub(crate) fn new(
+        folder: RunFolder,
+        simulation: Simulation,
+        world: World,
+        hash: String,
+    ) -> Result<Self, RunError> {
         let files = Files::open(folder, &simulation, &world, None)?;
         let last = world.stable_time_step();
         let mut run = Self::with(files, simulation, world, hash, last);
@@ -64,18 +69,32 @@ impl Run {
         checkpoint: &Checkpoint,
     ) -> Result<Self, RunError> {
         let extra = &checkpoint.meta.extra;
-        let wrong = |what: &str, e: serde_json::Error| RunError::Checkpoint(format!("its {what} is not readable ({e})"));
+        let wrong = |what: &str, e: serde_json::Error| {
+            RunError::Checkpoint(format!("its {what} is not readable ({e})"))
+        };
         state::restore(&mut world, checkpoint, &extra["accounts"])?;
         let files = Files::open(folder, &simulation, &world, Some(extra))?;
         let last = world.stable_time_step();
         let mut run = Self::with(files, simulation, world, hash, last);
-        run.first_dt = serde_json::from_value(extra["first_dt"].clone()).map_err(|e| wrong("first time step", e))?;
-        run.record = serde_json::from_value(extra["record"].clone()).map_err(|e| wrong("record", e))?;
+        run.first_dt = serde_json::from_value(extra["first_dt"].clone())
+            .map_err(|e| wrong("first time step", e))?;
+        run.record =
+            serde_json::from_value(extra["record"].clone()).map_err(|e| wrong("record", e))?;
         Ok(run)
     }
 
-    fn with(files: Files, simulation: Simulation, world: World, hash: String, last: (f64, Limiter)) -> Self {
-        let finest = simulation.bodies.iter().map(|b| b.spacing.finest).fold(f64::INFINITY, f64::min);
+    fn with(
+        files: Files,
+        simulation: Simulation,
+        world: World,
+        hash: String,
+        last: (f64, Limiter),
+    ) -> Self {
+        let finest = simulation
+            .bodies
+            .iter()
+            .map(|b| b.spacing.finest)
+            .fold(f64::INFINITY, f64::min);
         Self {
             files,
             simulation,
@@ -94,7 +113,11 @@ impl Run {
     ///
     /// # Errors
     /// If the calculation fails or a file cannot be written.
-    pub(crate) fn go(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+    pub(crate) fn go(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<Ended, RunError> {
         let ended = self.steps(stop, observer);
         observer.finish();
         let ended = match ended {
@@ -114,7 +137,10 @@ impl Run {
     /// The loop; whether it reached the end.
     fn steps(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
         let particles: usize = self.world.bodies.iter().map(|b| count(&b.body)).sum();
-        observer.say(&format!("{particles} particles, {} threads", rayon::current_num_threads()));
+        observer.say(&format!(
+            "{particles} particles, {} threads",
+            rayon::current_num_threads()
+        ));
         let mut shown = Instant::now();
         self.write_status(State::Running, None)?;
         while !self.finished() {
@@ -134,7 +160,7 @@ impl Run {
         Ok(true)
     }
 
-    fn finished(&self) -> bool {
+    pub(super) fn finished(&self) -> bool {
         let run = &self.simulation.run;
         self.world.time >= run.end_time || run.max_steps.is_some_and(|n| self.world.step >= n)
     }
@@ -143,12 +169,13 @@ impl Run {
         self.record.energy_drift / self.record.energy_scale.max(f64::MIN_POSITIVE)
     }
 
-    fn progress(&self) -> Progress<'_> {
+    pub(super) fn progress(&self) -> Progress<'_> {
         Progress {
             time: self.world.time,
             end_time: self.simulation.run.end_time,
             step: self.world.step,
-            steps_per_second: (self.world.step - self.first_step) as f64 / self.begun.elapsed().as_secs_f64(),
+            steps_per_second: (self.world.step - self.first_step) as f64
+                / self.begun.elapsed().as_secs_f64(),
             dt: self.last.0,
             limiter: self.last.1.reason,
             energy_drift: self.drift(),
@@ -170,8 +197,10 @@ impl Run {
     }
 
     /// Ends the run if the watch found something.
-    fn refuse(&self, finding: Option<watch::Finding>) -> Result<(), RunError> {
-        let Some(finding) = finding else { return Ok(()) };
+    pub(super) fn refuse(&self, finding: Option<watch::Finding>) -> Result<(), RunError> {
+        let Some(finding) = finding else {
+            return Ok(());
+        };
         let step = watch::Step {
             dt: self.last.0,
             limiter: &self.last.1,
@@ -181,85 +210,33 @@ impl Run {
         Err(finding.into_error(&self.world, &step, self.files.paths()))
     }
 
-    /// Rows, snapshots and checkpoints whose time has come since `before`: at the first step at or behind each multiple
-    /// of the interval.
-    fn write_due(&mut self, before: f64) -> Result<(), RunError> {
-        let output = self.simulation.output.clone();
-        let now = self.world.time;
-        let due = |every: f64| every > 0.0 && (now / every).floor() > (before / every).floor();
-        if due(output.history_every) || self.finished() {
-            self.write_row(self.last.0)?;
-            self.refuse(watch::open_ledger(&self.record, self.simulation.bubble.as_ref(), &self.last.1))?;
-        }
-        if due(output.fields_every) || self.finished() {
-            self.files.write_fields(&self.world)?;
-        }
-        if due(output.checkpoint_every) {
-            self.write_checkpoint()?;
-        }
-        Ok(())
-    }
-
-    fn write_row(&mut self, dt: f64) -> Result<(), RunError> {
-        let row = monitor::row(&self.world, &self.simulation, self.cell, dt, &mut self.record);
-        self.files.write_row(&self.world, &self.simulation, &row)
-    }
-
-    fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        let mut extra = self.files.mark(&self.simulation)?;
-        let mut record = self.record.clone();
-        record.wall_time += self.begun.elapsed().as_secs_f64();
-        let record = serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
-        extra.insert("first_dt".into(), self.first_dt.into());
-        extra.insert("record".into(), record);
-        extra.insert("accounts".into(), state::accounts(&self.world));
-        let mut checkpoint = Checkpoint::new(CheckpointMeta {
-            code_version: env!("CARGO_PKG_VERSION").to_owned(),
-            case_hash: self.hash.clone(),
-            time: self.world.time,
-            step: self.world.step,
-            extra: extra.into(),
-        });
-        state::store(&self.world, &mut checkpoint)?;
-        CheckpointStore::new(self.files.paths().checkpoints()).write(&checkpoint)?;
-        Ok(())
-    }
-
-    fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        let p = self.progress();
-        let rate = (state == State::Running && p.steps_per_second > 0.0).then_some(p.steps_per_second);
-        let status = Status {
-            state,
-            time: p.time,
-            end_time: p.end_time,
-            step: p.step,
-            dt: p.dt,
-            limiter: p.limiter.to_owned(),
-            steps_per_second: rate,
-            eta: rate.map(|r| (p.end_time - p.time).max(0.0) / p.dt / r),
-            energy_drift: Some(p.energy_drift),
-            pid: std::process::id(),
-            message: message.map(str::to_owned),
-        };
-        Ok(status.write(&self.files.paths().status())?)
-    }
-
     fn interrupt(&mut self) -> Result<Ended, RunError> {
         self.write_checkpoint()?;
         self.write_status(State::Interrupted, Some("asked to stop"))?;
-        Ok(Ended::Interrupted { time: self.world.time })
+        Ok(Ended::Interrupted {
+            time: self.world.time,
+        })
     }
 
     fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
         self.write_checkpoint()?;
         let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
         let threads = rayon::current_num_threads();
-        let mut summary = results::summary(&self.world, &self.simulation, &self.record, wall_time, threads);
+        let mut summary = results::summary(
+            &self.world,
+            &self.simulation,
+            &self.record,
+            wall_time,
+            threads,
+        );
         summary.set_input_hash("resolved.toml", &self.hash);
         summary.write(&self.files.paths().summary())?;
         self.write_status(State::Done, None)?;
         let drift = 100.0 * self.drift();
-        observer.say(&format!("{} steps in {wall_time:.1} s, energy ledger {drift:+.2} %", self.world.step));
+        observer.say(&format!(
+            "{} steps in {wall_time:.1} s, energy ledger {drift:+.2} %",
+            self.world.step
+        ));
         let report = crate::report::build(self.files.paths().root())?;
         Ok(Ended::Done { report })
     }

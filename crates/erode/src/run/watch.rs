@@ -57,8 +57,13 @@ pub(crate) fn failed_step(error: WorldError, limiter: &Limiter) -> Result<Findin
         WorldError::Missing { .. } => return Err(error.into()),
     };
     // Without a place of its own, the particle that limits the step is the best guess.
-    let position = position.filter(|x| x[0].is_finite() && x[1].is_finite()).unwrap_or(limiter.position);
-    Ok(Finding { what: error.to_string(), position })
+    let position = position
+        .filter(|x| x[0].is_finite() && x[1].is_finite())
+        .unwrap_or(limiter.position);
+    Ok(Finding {
+        what: error.to_string(),
+        position,
+    })
 }
 
 /// A state that no body can have.
@@ -72,19 +77,54 @@ pub(crate) fn implausible(world: &World) -> Option<Finding> {
 
 /// A ledger that does not close by far: a growth that is too slow to be seen in single particles.
 #[must_use]
-pub(crate) fn open_ledger(record: &Record, bubble: Option<&Bubble>, limiter: &Limiter) -> Option<Finding> {
+pub(crate) fn open_ledger(
+    world: &World,
+    record: &Record,
+    bubble: Option<&Bubble>,
+) -> Option<Finding> {
     // Without a bubble nothing tells how much energy is much at the start.
     let energy = record.initial_volume * bubble?.driving_pressure;
     let share = record.energy_drift / record.energy_scale.max(energy);
-    (share.abs() > LARGEST_DRIFT).then(|| Finding {
-        what: format!(
-            "`energy_residual` is {:+.3e} J, {:+.0} % of the energy put in (plausible: up to {:.0} %)",
-            record.energy_drift,
-            100.0 * share,
-            100.0 * LARGEST_DRIFT
-        ),
-        position: limiter.position,
-    })
+    if share.abs() <= LARGEST_DRIFT {
+        return None;
+    }
+    let (where_to_look, position) = fastest(world)?;
+    let what = format!(
+        "`energy_residual` is {:+.3e} J, {:+.1} % of the energy put in (plausible: up to {:.0} %); the fastest: {where_to_look}",
+        record.energy_drift,
+        100.0 * share,
+        100.0 * LARGEST_DRIFT
+    );
+    Some(Finding { what, position })
+}
+
+/// The particle that moves fastest in units of the wave speed of its body, in words, and its place.
+fn fastest(world: &World) -> Option<(String, Vec2)> {
+    let all = world.bodies.iter().flat_map(|named| {
+        let (position, velocity, wave) = match &named.body {
+            Body::Fluid(f) => (&f.position, &f.velocity, f.eos.sound_speed),
+            Body::Solid(s) => (&s.state.position, &s.state.velocity, wave_speed(s)),
+        };
+        let particles = position.iter().zip(velocity).enumerate();
+        particles.map(move |(a, (x, v))| {
+            (
+                v[0].hypot(v[1]) / wave,
+                v[0].hypot(v[1]),
+                a,
+                &named.name,
+                *x,
+            )
+        })
+    });
+    let (_, speed, particle, body, x) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some((
+        told("velocity", particle, body, x, &format!("{speed:.4e} m/s")),
+        x,
+    ))
+}
+
+fn wave_speed(s: &Solid) -> f64 {
+    s.material.elastic.longitudinal_speed(s.material.density)
 }
 
 fn implausible_liquid(f: &Fluid, body: &str) -> Option<Finding> {
@@ -93,32 +133,60 @@ fn implausible_liquid(f: &Fluid, body: &str) -> Option<Finding> {
         let ratio = density / f.eos.reference_density;
         if !(ratio > DENSITY_RANGE.0 && ratio < DENSITY_RANGE.1) {
             let (low, high) = DENSITY_RANGE;
-            let value = format!("{density:.4e} kg/m3, {ratio:.3} times that at rest (plausible: {low} to {high})");
-            return Some(Finding { what: told("density", a, body, position, &value), position });
+            let value = format!(
+                "{density:.4e} kg/m3, {ratio:.3} times that at rest (plausible: {low} to {high})"
+            );
+            return Some(Finding {
+                what: told("density", a, body, position, &value),
+                position,
+            });
         }
-        too_fast(f.velocity[a], FASTEST_LIQUID, f.eos.sound_speed, "sound speed")
-            .map(|value| Finding { what: told("velocity", a, body, position, &value), position })
+        too_fast(
+            f.velocity[a],
+            FASTEST_LIQUID,
+            f.eos.sound_speed,
+            "sound speed",
+        )
+        .map(|value| Finding {
+            what: told("velocity", a, body, position, &value),
+            position,
+        })
     })
 }
 
 fn implausible_metal(s: &Solid, body: &str) -> Option<Finding> {
-    let wave = s.material.elastic.longitudinal_speed(s.material.density);
+    let wave = wave_speed(s);
     (0..s.len()).find_map(|a| {
         let position = s.state.position[a];
-        too_fast(s.state.velocity[a], FASTEST_METAL, wave, "longitudinal wave speed")
-            .map(|value| Finding { what: told("velocity", a, body, position, &value), position })
+        too_fast(
+            s.state.velocity[a],
+            FASTEST_METAL,
+            wave,
+            "longitudinal wave speed",
+        )
+        .map(|value| Finding {
+            what: told("velocity", a, body, position, &value),
+            position,
+        })
     })
 }
 
 /// The speed in words if it is more than `factor` times that of a wave.
 fn too_fast(v: Vec2, factor: f64, wave: f64, name: &str) -> Option<String> {
     let speed = v[0].hypot(v[1]);
-    (speed > factor * wave)
-        .then(|| format!("{speed:.4e} m/s, {:.1} times the {name} (plausible: up to {factor})", speed / wave))
+    (speed > factor * wave).then(|| {
+        format!(
+            "{speed:.4e} m/s, {:.1} times the {name} (plausible: up to {factor})",
+            speed / wave
+        )
+    })
 }
 
 fn told(field: &str, particle: usize, body: &str, x: Vec2, value: &str) -> String {
-    format!("`{field}` of particle {particle} in body `{body}` at r = {:.4e} m, z = {:.4e} m is {value}", x[0], x[1])
+    format!(
+        "`{field}` of particle {particle} in body `{body}` at r = {:.4e} m, z = {:.4e} m is {value}",
+        x[0], x[1]
+    )
 }
 
 /// The step in which a calculation failed.
@@ -150,15 +218,27 @@ impl Finding {
                 "{} (particle {} in body `{named}` at r = {:.4e} m, z = {:.4e} m)",
                 limiter.reason, limiter.particle, p[0], p[1]
             ),
-            causes: format!("{}\n  {pictures}; the last good checkpoint is kept", causes(step.safety)),
+            causes: format!(
+                "{}\n  {pictures}; the last good checkpoint is kept",
+                causes(step.safety)
+            ),
         }
     }
 
     /// Names of the files, one for each body.
-    fn write_surroundings(&self, world: &World, radius: f64, paths: &RunPaths) -> Result<String, OutputError> {
+    fn write_surroundings(
+        &self,
+        world: &World,
+        radius: f64,
+        paths: &RunPaths,
+    ) -> Result<String, OutputError> {
         let mut names = Vec::new();
         for (i, named) in world.bodies.iter().enumerate() {
-            let name = if i == 0 { "failure.vtu".to_owned() } else { format!("failure_{}.vtu", named.name) };
+            let name = if i == 0 {
+                "failure.vtu".to_owned()
+            } else {
+                format!("failure_{}.vtu", named.name)
+            };
             let snapshot = probes::snapshot(&named.body, world.time);
             write_failure(
                 &paths.failure().with_file_name(&name),
@@ -184,6 +264,8 @@ fn causes(safety: f64) -> String {
              otherwise {others}"
         )
     } else {
-        format!("likely causes: {others}; a smaller step (run.safety is {safety}) tells whether it is the step")
+        format!(
+            "likely causes: {others}; a smaller step (run.safety is {safety}) tells whether it is the step"
+        )
     }
 }
