@@ -5,3 +5,4 @@ pub mod materials;
 pub mod output;
 pub mod report;
 pub mod run;
+pub mod validate;

@@ -76,7 +76,7 @@ impl Colour {
         for (i, x) in position.iter().enumerate() {
             let a = ghosts.particle(fluid.len(), i);
             let h = fluid.smoothing_length[a];
-            if colour.add(*x, fluid.area(a), h) {
+            if colour.add(*x, fluid.filled_area(a), h) {
                 finest = finest.min(h);
             }
         }
@@ -230,7 +230,13 @@ impl Colour {
         ];
         let axis_extent = if on_axis { axis_extent } else { [f64::NAN; 2] };
         let inner_radius = if on_axis { 0.0 } else { inner };
-        Cavity { volume, centre, inner_radius, extent, axis_extent }
+        Cavity {
+            volume,
+            centre,
+            inner_radius,
+            extent,
+            axis_extent,
+        }
     }
 
     /// Radius of the void about `centre` along `rays` directions at equal polar angles from the upper pole (m): the radius r

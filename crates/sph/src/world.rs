@@ -1,7 +1,8 @@
 //! The bodies of a simulation and the order of a step (the picture of it: docs/step.md).
 
+use crate::fluid::Fluid;
 use crate::fluid::ghosts::{Plane, Wall};
-use crate::fluid::{Fluid, Formulation};
+use crate::fluid::step::Sweep;
 use crate::geometry::Vec2;
 use crate::interact::{Interaction, between};
 use crate::interface::SurfaceLine;
@@ -206,7 +207,7 @@ impl World {
         Ok(())
     }
 
-    fn move_liquids(&mut self, dt: f64) -> Vec<crate::fluid::corrected::Sweep> {
+    fn move_liquids(&mut self, dt: f64) -> Vec<Sweep> {
         let lines = wetted_lines(&self.bodies);
         let fluids = self.bodies.iter_mut().filter_map(|b| {
             if let Body::Fluid(f) = &mut b.body {
@@ -217,15 +218,14 @@ impl World {
         });
         fluids
             .map(|f| {
-                let Formulation::Corrected(settings) = f.formulation;
                 let sides = f.sides.clone();
-                f.move_corrected(&settings, &walls(&sides, &lines), dt)
+                f.advance_positions(&walls(&sides, &lines), dt)
             })
             .collect()
     }
 
     /// Forces on the liquids; their push on the solids.
-    fn push_liquids(&mut self, sweeps: &[crate::fluid::corrected::Sweep], dt: f64) {
+    fn push_liquids(&mut self, sweeps: &[Sweep], dt: f64) {
         let lines = wetted_lines(&self.bodies);
         let mut pressures: Vec<Vec<f64>> =
             lines.iter().map(|l| vec![0.0; l.position.len()]).collect();
@@ -239,7 +239,7 @@ impl World {
         });
         for (f, sweep) in fluids.zip(sweeps) {
             let sides = f.sides.clone();
-            let reaction = f.push_corrected(sweep, &walls(&sides, &lines), dt, time);
+            let reaction = f.push(sweep, &walls(&sides, &lines), dt, time);
             f.kick(0.5 * dt);
             for (line, sum) in lines.iter().zip(&mut pressures) {
                 let push = line.pressure(f.geometry, &f.position, &reaction, &f.smoothing_length);

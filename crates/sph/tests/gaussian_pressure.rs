@@ -7,7 +7,7 @@ use erode_physics::Elastic;
 use erode_physics::material_point::Material;
 use erode_physics::strength::{JohnsonCook, Strength};
 use erode_sph::Geometry;
-use erode_sph::solid::{Block, Face, Numerics, Setup, Side, Solid};
+use erode_sph::solid::{Block, Face, Formulation, Numerics, Setup, Side, Solid, updated};
 
 const DX: f64 = 5e-6;
 const N: usize = 100;
@@ -16,7 +16,7 @@ const HOLD: f64 = 0.5e-6;
 /// Mass damping while the load rests, 1/s.
 const DAMPING: f64 = 5e6;
 
-fn block() -> Solid {
+fn block(formulation: Formulation) -> Solid {
     let place = |k: usize| [((k % N) as f64 + 0.5) * DX, ((k / N) as f64 + 0.5) * DX];
     Solid::new(Setup {
         geometry: Geometry::Axisymmetric,
@@ -44,7 +44,10 @@ fn block() -> Solid {
             density: 7800.0,
             temperature: 293.0,
         },
-        numerics: Numerics::default(),
+        numerics: Numerics {
+            formulation,
+            ..Numerics::default()
+        },
         position: (0..N * N).map(place).collect(),
         area: vec![DX * DX; N * N],
     })
@@ -95,17 +98,14 @@ fn interpolate(table: &[[f64; 2]], x: f64) -> f64 {
     y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 }
 
-#[test]
-#[ignore = "takes a minute"]
-fn pit_and_strain_agree_with_finite_elements() {
-    let mut solid = block();
+/// Pit (m), largest strain, and mean and largest error of the strain 20 um deep as a share of the largest strain.
+fn loaded(formulation: Formulation) -> [f64; 4] {
+    let mut solid = block(formulation);
     load_and_unload(&mut solid);
     let strain = &solid.state.plastic_strain;
     let pit = solid.block.upper[1] - solid.surface(Side::Top).unwrap().position[0][1];
     let largest = strain.iter().fold(0.0, |m: f64, &e| m.max(e));
     println!("pit {pit} m, largest strain {largest}");
-    assert!((pit / 1.101e-6 - 1.0).abs() < 0.04);
-    assert!((largest / 0.0276 - 1.0).abs() < 0.05);
     // 20 um deep lies between the fourth and the fifth row.
     let table = reference();
     let errors: Vec<f64> = (0..30)
@@ -117,5 +117,23 @@ fn pit_and_strain_agree_with_finite_elements() {
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     let worst = errors.iter().fold(0.0, |m: f64, &e| m.max(e));
     println!("line 20 um deep: mean {mean}, largest {worst}");
+    [pit, largest, mean, worst]
+}
+
+#[test]
+#[ignore = "takes a minute"]
+fn pit_and_strain_agree_with_finite_elements() {
+    let [pit, largest, mean, worst] = loaded(Formulation::TotalLagrangian);
+    assert!((pit / 1.101e-6 - 1.0).abs() < 0.04);
+    assert!((largest / 0.0276 - 1.0).abs() < 0.05);
     assert!(mean < 0.015 && worst < 0.05);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn published_form_agrees_less_well() {
+    let [pit, largest, mean, worst] = loaded(Formulation::Joshi(updated::Settings::default()));
+    assert!((pit / 1.101e-6 - 1.0).abs() < 0.1);
+    assert!((largest / 0.0276 - 1.0).abs() < 0.12);
+    assert!(mean < 0.03 && worst < 0.15);
 }

@@ -136,7 +136,7 @@ static BUBBLE_NEAR_WALL: Table = table(
         default(
             "height",
             Quantity(NUMBER, Positive),
-            "6",
+            "4",
             "liquid above the bubble's centre / radius",
         ),
         default(

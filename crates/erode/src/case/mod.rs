@@ -28,7 +28,7 @@ mod resolved_items;
 mod schema;
 mod setups;
 mod simulation;
-mod suggest;
+pub(crate) mod suggest;
 #[cfg(test)]
 mod tests;
 mod units;

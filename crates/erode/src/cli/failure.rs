@@ -44,16 +44,6 @@ impl Failure {
         }
     }
 
-    /// A command that exists in name only.
-    pub(crate) fn not_built(command: &str) -> Self {
-        let message = format!("the command `{command}` is not built in this version");
-        Self::Other {
-            code: FAILED,
-            message,
-            help: "`erode --help` lists the commands".to_owned(),
-        }
-    }
-
     /// Prints the failure and gives its exit code.
     pub(crate) fn report(&self) -> ExitCode {
         match self {

@@ -9,10 +9,11 @@ mod new;
 mod run;
 mod say;
 mod status;
+mod validate;
 
 use args::{Cli, Command};
 use clap::Parser;
-use failure::{Failure, Outcome};
+use failure::Outcome;
 use std::process::ExitCode;
 
 /// Reads the command line, runs the command, turns its outcome into an exit code.
@@ -45,7 +46,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Run(args) => run::run(args),
         Command::Resume(args) => run::resume(args),
         Command::Report(args) => status::report(args),
-        Command::Validate(_) => Err(Failure::not_built("validate")),
+        Command::Validate(args) => validate::run(args),
         Command::Status(args) => status::status(args),
     }
 }

@@ -21,7 +21,10 @@ const LINE_EVERY: Duration = Duration::from_secs(10);
 
 /// Runs a case.
 pub(crate) fn run(args: &RunArgs) -> Outcome {
-    let output = args.output.clone().unwrap_or_else(|| default_folder(&args.case));
+    let output = args
+        .output
+        .clone()
+        .unwrap_or_else(|| default_folder(&args.case));
     let options = Start {
         case: args.case.clone(),
         overrides: args.set.clone(),
@@ -36,7 +39,12 @@ pub(crate) fn run(args: &RunArgs) -> Outcome {
 /// Goes on with a run.
 pub(crate) fn resume(args: &ResumeArgs) -> Outcome {
     let stop = stop_flag()?;
-    let ended = run::resume(&args.dir, args.threads.map(usize::from), &stop, &mut Screen::new());
+    let ended = run::resume(
+        &args.dir,
+        args.threads.map(usize::from),
+        &stop,
+        &mut Screen::new(),
+    );
     conclude(ended, &args.dir)
 }
 
@@ -47,20 +55,33 @@ fn default_folder(case: &Path) -> PathBuf {
     } else {
         case.parent()
     };
-    let name = folder.and_then(Path::file_stem).map_or("run".into(), |s| s.to_string_lossy().into_owned());
+    let name = folder
+        .and_then(Path::file_stem)
+        .map_or("run".into(), |s| s.to_string_lossy().into_owned());
     let first = PathBuf::from("runs").join(&name);
     let numbered = (2..).map(|k| PathBuf::from("runs").join(format!("{name}-{k}")));
-    std::iter::once(first).chain(numbered).find(|p| !p.exists()).unwrap_or_default()
+    std::iter::once(first)
+        .chain(numbered)
+        .find(|p| !p.exists())
+        .unwrap_or_default()
 }
 
 /// Raised by Ctrl-C and SIGTERM; a second signal ends the program at once.
 fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
     let stop = Arc::new(AtomicBool::new(false));
     for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-        let registered = signal_hook::flag::register_conditional_shutdown(signal, i32::from(INTERRUPTED), stop.clone())
-            .and_then(|_| signal_hook::flag::register(signal, stop.clone()));
+        let registered = signal_hook::flag::register_conditional_shutdown(
+            signal,
+            i32::from(INTERRUPTED),
+            stop.clone(),
+        )
+        .and_then(|_| signal_hook::flag::register(signal, stop.clone()));
         if let Err(e) = registered {
-            return Err(Failure::Other { code: FAILED, message: format!("signals cannot be handled: {e}"), help: String::new() });
+            return Err(Failure::Other {
+                code: FAILED,
+                message: format!("signals cannot be handled: {e}"),
+                help: String::new(),
+            });
         }
     }
     Ok(stop)
@@ -86,15 +107,27 @@ fn failure(error: &RunError) -> Failure {
     let (code, help) = match error {
         RunError::Output(e) => {
             use erode::output::OutputError::{Locked, NotAFolder, NotARun, NotWritable, Occupied};
-            let wrong = matches!(e, Occupied { .. } | NotAFolder { .. } | NotWritable { .. } | NotARun { .. } | Locked { .. });
+            let wrong = matches!(
+                e,
+                Occupied { .. }
+                    | NotAFolder { .. }
+                    | NotWritable { .. }
+                    | NotARun { .. }
+                    | Locked { .. }
+            );
             (if wrong { WRONG_INPUT } else { FAILED }, e.hint())
         }
-        RunError::Packing { .. } | RunError::Unsupported { .. } | RunError::Solid { .. } => {
-            (WRONG_INPUT, "`erode check CASE` shows the bodies and their spacing".to_owned())
-        }
+        RunError::Packing { .. } | RunError::Unsupported { .. } | RunError::Solid { .. } => (
+            WRONG_INPUT,
+            "`erode check CASE` shows the bodies and their spacing".to_owned(),
+        ),
         _ => (FAILED, String::new()),
     };
-    Failure::Other { code, message: error.to_string(), help }
+    Failure::Other {
+        code,
+        message: error.to_string(),
+        help,
+    }
 }
 
 /// A bar on a terminal, plain lines elsewhere.
@@ -111,7 +144,10 @@ impl Screen {
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
             bar
         });
-        Self { bar, line: Instant::now() - LINE_EVERY }
+        Self {
+            bar,
+            line: Instant::now() - LINE_EVERY,
+        }
     }
 }
 

@@ -24,8 +24,18 @@ pub(crate) fn status(args: &StatusArgs) -> Outcome {
         State::Interrupted => "interrupted: `erode resume` goes on",
     };
     say!("state      {state}");
-    say!("time       {:.4e} s of {:.4e} s ({:.1} %)", s.time, s.end_time, 100.0 * s.time / s.end_time);
-    say!("step       {} (dt {:.3e} s, limited by {})", s.step, s.dt, s.limiter);
+    say!(
+        "time       {:.4e} s of {:.4e} s ({:.1} %)",
+        s.time,
+        s.end_time,
+        100.0 * s.time / s.end_time
+    );
+    say!(
+        "step       {} (dt {:.3e} s, limited by {})",
+        s.step,
+        s.dt,
+        s.limiter
+    );
     if let (Some(rate), Some(eta)) = (s.steps_per_second, s.eta) {
         say!("speed      {rate:.1} steps/s, {eta:.0} s left");
     }
@@ -47,8 +57,16 @@ pub(crate) fn report(args: &ReportArgs) -> Outcome {
         }
         Err(e) => {
             use erode::report::ReportError::{NoFolder, NotARun};
-            let code = if matches!(e, NoFolder { .. } | NotARun { .. }) { WRONG_INPUT } else { FAILED };
-            Err(Failure::Other { code, message: e.to_string(), help: String::new() })
+            let code = if matches!(e, NoFolder { .. } | NotARun { .. }) {
+                WRONG_INPUT
+            } else {
+                FAILED
+            };
+            Err(Failure::Other {
+                code,
+                message: e.to_string(),
+                help: String::new(),
+            })
         }
     }
 }

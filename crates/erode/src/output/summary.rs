@@ -8,7 +8,14 @@ use std::fs;
 use std::path::Path;
 
 /// Names that are tables of the summary and so cannot be scalars.
-const TABLES: [&str; 6] = ["units", "versions", "input_hashes", "ledger", "limiters", "comparison"];
+const TABLES: [&str; 6] = [
+    "units",
+    "versions",
+    "input_hashes",
+    "ledger",
+    "limiters",
+    "comparison",
+];
 
 /// Scalars by name (top level of the file, in the order of adding) and the tables about them.
 ///

@@ -6,11 +6,11 @@ use erode_physics::material_point::Material;
 use erode_sph::Geometry;
 use erode_sph::fluid::far_field::FarField;
 use erode_sph::fluid::ghosts::Plane;
-use erode_sph::fluid::{Fluid, Formulation, Start, corrected};
+use erode_sph::fluid::{Fluid, Formulation, Start, corrected, joshi};
 use erode_sph::neighbours::cell_order;
 use erode_sph::packing::{Options, Packing, SMOOTHING, pack};
 use erode_sph::shapes::{Region, Shape};
-use erode_sph::solid::{Block, Face, Numerics, Setup, Solid};
+use erode_sph::solid::{self, Block, Face, Numerics, Setup, Solid};
 use erode_sph::world::{Body, Named, World};
 
 /// Room temperature, K: where solids start.
@@ -32,7 +32,10 @@ pub fn world(simulation: &Simulation) -> Result<World, RunError> {
                 BodyKind::Fluid(f) => Body::Fluid(fluid(simulation.geometry, body, f, &packing)?),
                 BodyKind::Solid(s) => Body::Solid(solid(simulation, body, s, packing)?),
             };
-            Ok(Named { name: body.name.clone(), body: built })
+            Ok(Named {
+                name: body.name.clone(),
+                body: built,
+            })
         })
         .collect::<Result<Vec<_>, RunError>>()?;
     World::new(bodies, simulation.run.safety).map_err(RunError::from)
@@ -40,16 +43,35 @@ pub fn world(simulation: &Simulation) -> Result<World, RunError> {
 
 /// Particles in cell order.
 fn filled(geometry: Geometry, body: &case::Body) -> Result<Packing, RunError> {
-    let region = body.holes.iter().fold(Region::new(body.shape.clone()), |r, hole| r.with_hole(hole.clone()));
-    let options = Options { axis: geometry == Geometry::Axisymmetric, ..Options::default() };
-    let mut packing = pack(&region, &body.spacing, &options)
-        .map_err(|source| RunError::Packing { body: body.name.clone(), source })?;
+    let region = body
+        .holes
+        .iter()
+        .fold(Region::new(body.shape.clone()), |r, hole| {
+            r.with_hole(hole.clone())
+        });
+    let options = Options {
+        axis: geometry == Geometry::Axisymmetric,
+        ..Options::default()
+    };
+    let mut packing =
+        pack(&region, &body.spacing, &options).map_err(|source| RunError::Packing {
+            body: body.name.clone(),
+            source,
+        })?;
     let h: Vec<f64> = packing.spacing.iter().map(|s| SMOOTHING * s).collect();
     let order = cell_order(&packing.position, &h);
-    let pick = |values: &[f64]| order.iter().map(|&i| values[i as usize]).collect::<Vec<f64>>();
+    let pick = |values: &[f64]| {
+        order
+            .iter()
+            .map(|&i| values[i as usize])
+            .collect::<Vec<f64>>()
+    };
     packing.area = pick(&packing.area);
     packing.spacing = pick(&packing.spacing);
-    packing.position = order.iter().map(|&i| packing.position[i as usize]).collect();
+    packing.position = order
+        .iter()
+        .map(|&i| packing.position[i as usize])
+        .collect();
     Ok(packing)
 }
 
@@ -64,7 +86,12 @@ fn rectangle(body: &case::Body) -> Result<([f64; 2], [f64; 2]), RunError> {
     }
 }
 
-fn fluid(geometry: Geometry, body: &case::Body, f: &case::Fluid, packing: &Packing) -> Result<Fluid, RunError> {
+fn fluid(
+    geometry: Geometry,
+    body: &case::Body,
+    f: &case::Fluid,
+    packing: &Packing,
+) -> Result<Fluid, RunError> {
     let (lower, upper) = rectangle(body)?;
     let mut fluid = Fluid::new(&Start {
         geometry,
@@ -73,7 +100,7 @@ fn fluid(geometry: Geometry, body: &case::Body, f: &case::Fluid, packing: &Packi
         area: &packing.area,
         pressure: f.pressure,
         velocity: f.velocity,
-        formulation: formulation(body, f.formulation)?,
+        formulation: formulation(f.formulation),
     });
     let sides = &body.sides;
     let planes = [
@@ -83,7 +110,11 @@ fn fluid(geometry: Geometry, body: &case::Body, f: &case::Fluid, packing: &Packi
         (&sides.top, [0.0, -1.0], -upper[1]),
     ];
     for (side, normal, offset) in planes {
-        let plane = Plane { normal, offset, speed: 0.0 };
+        let plane = Plane {
+            normal,
+            offset,
+            speed: 0.0,
+        };
         match side {
             Side::Rigid => fluid.sides.push(plane),
             Side::NonReflecting { pressure, wave } => {
@@ -103,26 +134,49 @@ fn fluid(geometry: Geometry, body: &case::Body, f: &case::Fluid, packing: &Packi
     Ok(fluid)
 }
 
-fn formulation(body: &case::Body, f: FluidFormulation) -> Result<Formulation, RunError> {
+fn formulation(f: FluidFormulation) -> Formulation {
     match f {
-        FluidFormulation::Corrected { shifting } => {
-            Ok(Formulation::Corrected(corrected::Settings { shifting, ..corrected::Settings::default() }))
-        }
-        FluidFormulation::Joshi { .. } => Err(RunError::Unsupported {
-            body: body.name.clone(),
-            what: "the published formulation `joshi`".to_owned(),
+        FluidFormulation::Corrected { shifting } => Formulation::Corrected(corrected::Settings {
+            shifting,
+            ..corrected::Settings::default()
+        }),
+        FluidFormulation::Joshi { alpha, beta } => Formulation::Joshi(joshi::Settings {
+            alpha,
+            beta,
+            ..joshi::Settings::default()
         }),
     }
 }
 
-fn solid(simulation: &Simulation, body: &case::Body, s: &case::Solid, packing: Packing) -> Result<Solid, RunError> {
+/// Numerical constants of a solid; its step scales with `run.safety` as that of a liquid does.
+fn numerics(f: SolidFormulation, safety: f64) -> Numerics {
+    let usual = Numerics::default();
+    let courant = usual.courant * safety / USUAL_SAFETY;
+    match f {
+        SolidFormulation::TotalLagrangian {
+            viscosity,
+            hourglass,
+        } => Numerics {
+            viscosity,
+            hourglass,
+            courant,
+            ..usual
+        },
+        SolidFormulation::Joshi { alpha, beta, xsph } => Numerics {
+            formulation: solid::Formulation::Joshi(solid::updated::Settings { alpha, beta, xsph }),
+            courant,
+            ..usual
+        },
+    }
+}
+
+fn solid(
+    simulation: &Simulation,
+    body: &case::Body,
+    s: &case::Solid,
+    packing: Packing,
+) -> Result<Solid, RunError> {
     let (lower, upper) = rectangle(body)?;
-    let SolidFormulation::TotalLagrangian { viscosity, hourglass } = s.formulation else {
-        return Err(RunError::Unsupported {
-            body: body.name.clone(),
-            what: "the published formulation `joshi` of a solid".to_owned(),
-        });
-    };
     let face = |side: &Side| match side {
         Side::Axis => Face::Axis,
         Side::Rigid => Face::Symmetry,
@@ -138,19 +192,24 @@ fn solid(simulation: &Simulation, body: &case::Body, s: &case::Solid, packing: P
         bottom: face(&sides.bottom),
         top: face(&sides.top),
     };
-    let material =
-        Material { elastic: s.elastic, strength: s.strength, density: s.density, temperature: TEMPERATURE };
-    let usual = Numerics::default();
-    let courant = usual.courant * simulation.run.safety / USUAL_SAFETY;
+    let material = Material {
+        elastic: s.elastic,
+        strength: s.strength,
+        density: s.density,
+        temperature: TEMPERATURE,
+    };
     let mut solid = Solid::new(Setup {
         geometry: simulation.geometry,
         block,
         material,
-        numerics: Numerics { viscosity, hourglass, courant, ..usual },
+        numerics: numerics(s.formulation, simulation.run.safety),
         position: packing.position,
         area: packing.area,
     })
-    .map_err(|source| RunError::Solid { body: body.name.clone(), source })?;
+    .map_err(|source| RunError::Solid {
+        body: body.name.clone(),
+        source,
+    })?;
     solid.state.velocity.fill(s.velocity);
     Ok(solid)
 }

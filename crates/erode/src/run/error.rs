@@ -48,7 +48,9 @@ pub enum RunError {
     #[error("the run is complete, but its report could not be written: {0}")]
     Report(#[from] ReportError),
     /// The calculation became unstable.
-    #[error("{what} at t = {time:.6e} s (step {step})\n  time step {dt:.3e} s, limited by {limiter}\n  {causes}")]
+    #[error(
+        "{what} at t = {time:.6e} s (step {step})\n  time step {dt:.3e} s, limited by {limiter}\n  {causes}"
+    )]
     Unstable {
         /// Field, particle, place.
         what: String,

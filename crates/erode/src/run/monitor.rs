@@ -92,7 +92,11 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("jet_speed", "m/s"),
         ]);
     }
-    names.extend([("max_pressure", "Pa"), ("max_speed", "m/s"), ("kinetic_energy", "J")]);
+    names.extend([
+        ("max_pressure", "Pa"),
+        ("max_speed", "m/s"),
+        ("kinetic_energy", "J"),
+    ]);
     if has_solid(simulation) {
         names.extend([
             ("wall_pressure_centre", "Pa"),
@@ -106,32 +110,66 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
     }
     names.extend(Ledger::default().entries().map(|(name, _)| (name, "J")));
     names.push(("energy_residual", "J"));
-    names.into_iter().map(|(name, unit)| Column::new(name, unit)).collect()
+    names
+        .into_iter()
+        .map(|(name, unit)| Column::new(name, unit))
+        .collect()
 }
 
 fn has_solid(simulation: &Simulation) -> bool {
-    simulation.bodies.iter().any(|b| matches!(b.kind, crate::case::BodyKind::Solid(_)))
+    simulation
+        .bodies
+        .iter()
+        .any(|b| matches!(b.kind, crate::case::BodyKind::Solid(_)))
 }
 
 /// The liquid and the solid of a world, as far as there are.
 pub(crate) fn liquid(world: &World) -> Option<&Fluid> {
-    world.bodies.iter().find_map(|b| if let Body::Fluid(f) = &b.body { Some(f) } else { None })
+    world.bodies.iter().find_map(|b| {
+        if let Body::Fluid(f) = &b.body {
+            Some(f)
+        } else {
+            None
+        }
+    })
 }
 
 pub(crate) fn solid(world: &World) -> Option<&Solid> {
-    world.bodies.iter().find_map(|b| if let Body::Solid(s) = &b.body { Some(s) } else { None })
+    world.bodies.iter().find_map(|b| {
+        if let Body::Solid(s) = &b.body {
+            Some(s)
+        } else {
+            None
+        }
+    })
 }
 
 /// Measures the bubble.
 #[must_use]
 pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
-    let nothing = BubbleState { volume: 0.0, centre: f64::NAN, parts: 0, inner_radius: f64::NAN, gap: 0.0, jet_speed: f64::NAN };
-    let Some(fluid) = liquid(world) else { return nothing };
-    let lines: Vec<SurfaceLine> =
-        solid(world).and_then(|s| s.surface(Side::Top)).map(SurfaceLine::of).into_iter().collect();
+    let nothing = BubbleState {
+        volume: 0.0,
+        centre: f64::NAN,
+        parts: 0,
+        inner_radius: f64::NAN,
+        gap: 0.0,
+        jet_speed: f64::NAN,
+    };
+    let Some(fluid) = liquid(world) else {
+        return nothing;
+    };
+    let lines: Vec<SurfaceLine> = solid(world)
+        .and_then(|s| s.surface(Side::Top))
+        .map(SurfaceLine::of)
+        .into_iter()
+        .collect();
     let walls: Vec<&dyn Wall> = lines.iter().map(|l| l as &dyn Wall).collect();
     let reach = 1.4 * bubble.radius;
-    let floor = if bubble.wall_distance.is_some() { 0.0 } else { f64::NEG_INFINITY };
+    let floor = if bubble.wall_distance.is_some() {
+        0.0
+    } else {
+        f64::NEG_INFINITY
+    };
     let window = Window {
         lower: [0.0, (bubble.centre[1] - reach).max(floor)],
         upper: [bubble.centre[0] + reach, bubble.centre[1] + reach],
@@ -139,7 +177,9 @@ pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
     };
     let colour = Colour::new(fluid, &Ghosts::find(fluid, &walls), window);
     let cavities = colour.cavities(SMALLEST_VOID);
-    let Some(largest) = cavities.first() else { return nothing };
+    let Some(largest) = cavities.first() else {
+        return nothing;
+    };
     let volume: f64 = cavities.iter().map(|c| c.volume).sum();
     let on_axis = cavities.iter().find(|c| c.inner_radius == 0.0);
     BubbleState {
@@ -156,8 +196,12 @@ pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
 fn tip_speed(fluid: &Fluid, tip: Vec2) -> f64 {
     let nearest = (0..fluid.len())
         .filter(|&a| fluid.position[a][1] > tip[1] - fluid.smoothing_length[a])
-        .min_by(|&a, &b| distance(fluid.position[a], tip).total_cmp(&distance(fluid.position[b], tip)));
-    let Some(nearest) = nearest else { return f64::NAN };
+        .min_by(|&a, &b| {
+            distance(fluid.position[a], tip).total_cmp(&distance(fluid.position[b], tip))
+        });
+    let Some(nearest) = nearest else {
+        return f64::NAN;
+    };
     let reach = 2.0 * fluid.smoothing_length[nearest];
     let (mut sum, mut weight) = (0.0, 0.0);
     for a in 0..fluid.len() {
@@ -186,25 +230,49 @@ pub(crate) fn equivalent_radius(volume: f64, geometry: erode_sph::Geometry) -> f
 }
 
 /// One row of `history.csv`; extremes go to the record.
-pub(crate) fn row(world: &World, simulation: &Simulation, cell: f64, dt: f64, record: &mut Record) -> Vec<f64> {
+pub(crate) fn row(
+    world: &World,
+    simulation: &Simulation,
+    cell: f64,
+    dt: f64,
+    record: &mut Record,
+) -> Vec<f64> {
     let mut values = vec![world.time, dt];
     if let Some(b) = &simulation.bubble {
         let state = bubble(world, b, cell);
         record.see_bubble(&state, b, world.time);
         let radius = equivalent_radius(state.volume, simulation.geometry);
         let parts = state.parts as f64;
-        values.extend([state.volume, radius, state.centre, parts, state.inner_radius, state.gap, state.jet_speed]);
+        values.extend([
+            state.volume,
+            radius,
+            state.centre,
+            parts,
+            state.inner_radius,
+            state.gap,
+            state.jet_speed,
+        ]);
     }
     let fluids = liquid(world);
     let pressure = fluids.map_or(0.0, |f| largest(&f.pressure));
-    let speed = fluids.map_or(0.0, |f| f.velocity.iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max));
+    let speed = fluids.map_or(0.0, |f| {
+        f.velocity
+            .iter()
+            .map(|v| v[0].hypot(v[1]))
+            .fold(0.0, f64::max)
+    });
     let ledger = Ledger::of(world);
-    values.extend([pressure, speed, ledger.liquid_kinetic + ledger.solid_kinetic]);
+    values.extend([
+        pressure,
+        speed,
+        ledger.liquid_kinetic + ledger.solid_kinetic,
+    ]);
     if let Some(s) = solid(world) {
         let metal = Metal::of(s);
         let wall = s.surface(Side::Top);
         values.extend([
-            wall.and_then(|w| w.pressure.first().copied()).unwrap_or(f64::NAN),
+            wall.and_then(|w| w.pressure.first().copied())
+                .unwrap_or(f64::NAN),
             wall.map_or(f64::NAN, |w| largest(&w.pressure)),
             metal.max_plastic_strain,
             largest(&s.state.plastic_strain_rate),
@@ -223,7 +291,9 @@ impl Record {
     pub(crate) fn see_step(&mut self, world: &World, limiter: &str) {
         *self.limiters.entry(limiter.to_owned()).or_default() += 1;
         if let Some(s) = solid(world) {
-            self.max_strain_rate = self.max_strain_rate.max(largest(&s.state.plastic_strain_rate));
+            self.max_strain_rate = self
+                .max_strain_rate
+                .max(largest(&s.state.plastic_strain_rate));
             if let Some(wall) = s.surface(Side::Top) {
                 for (p, x) in wall.pressure.iter().zip(&wall.reference_position) {
                     if *p > self.peak_wall_pressure[0] {
@@ -252,7 +322,9 @@ impl Record {
 
     fn see_energy(&mut self, ledger: &Ledger) -> f64 {
         let residual = ledger.balance() - self.initial_balance;
-        self.energy_scale = self.energy_scale.max(self.initial_balance + ledger.boundary_work.abs());
+        self.energy_scale = self
+            .energy_scale
+            .max(self.initial_balance + ledger.boundary_work.abs());
         if residual.abs() > self.energy_drift.abs() {
             self.energy_drift = residual;
         }
@@ -285,14 +357,21 @@ impl Metal {
     #[must_use]
     pub fn of(s: &Solid) -> Self {
         let strain = &s.state.plastic_strain;
-        let worst = (0..s.len()).max_by(|&a, &b| strain[a].total_cmp(&strain[b])).unwrap_or(0);
+        let worst = (0..s.len())
+            .max_by(|&a, &b| strain[a].total_cmp(&strain[b]))
+            .unwrap_or(0);
         let at = s.reference.position[worst];
         let yielded = |a: &usize| strain[*a] > YIELDED;
         Self {
             max_plastic_strain: strain[worst],
             place: [at[0], s.block.upper[1] - at[1]],
-            plastic_work: (0..s.len()).map(|a| s.state.plastic_work[a] * s.reference.volume[a]).sum(),
-            plastic_volume: (0..s.len()).filter(yielded).map(|a| s.reference.volume[a]).sum(),
+            plastic_work: (0..s.len())
+                .map(|a| s.state.plastic_work[a] * s.reference.volume[a])
+                .sum(),
+            plastic_volume: (0..s.len())
+                .filter(yielded)
+                .map(|a| s.reference.volume[a])
+                .sum(),
             depth: pit_depth(s),
         }
     }
@@ -300,10 +379,18 @@ impl Metal {
 
 /// Depth of the deepest surface point below the mean of the outer third of the surface, m.
 fn pit_depth(s: &Solid) -> f64 {
-    let Some(surface) = s.surface(Side::Top) else { return f64::NAN };
-    let sunk: Vec<f64> =
-        surface.position.iter().zip(&surface.reference_position).map(|(x, x0)| x0[1] - x[1]).collect();
+    let Some(surface) = s.surface(Side::Top) else {
+        return f64::NAN;
+    };
+    let sunk: Vec<f64> = surface
+        .position
+        .iter()
+        .zip(&surface.reference_position)
+        .map(|(x, x0)| x0[1] - x[1])
+        .collect();
     let outer = &sunk[2 * sunk.len() / 3..];
     let rim = outer.iter().sum::<f64>() / outer.len() as f64;
-    sunk.iter().map(|d| d - rim).fold(f64::NEG_INFINITY, f64::max)
+    sunk.iter()
+        .map(|d| d - rim)
+        .fold(f64::NEG_INFINITY, f64::max)
 }

@@ -10,7 +10,12 @@ use erode_sph::world::Body;
 /// Below this sum of A W there is no support and a probe reads NaN.
 const SUPPORT: f64 = 0.3;
 
-const FLUID: [(&str, &str); 4] = [("pressure", "Pa"), ("density", "kg/m3"), ("velocity_r", "m/s"), ("velocity_z", "m/s")];
+const FLUID: [(&str, &str); 4] = [
+    ("pressure", "Pa"),
+    ("density", "kg/m3"),
+    ("velocity_r", "m/s"),
+    ("velocity_z", "m/s"),
+];
 const SOLID: [(&str, &str); 9] = [
     ("stress_rr", "Pa"),
     ("stress_zz", "Pa"),
@@ -30,14 +35,23 @@ pub(crate) fn columns(body: &Body) -> Vec<Column> {
         Body::Fluid(_) => &FLUID,
         Body::Solid(_) => &SOLID,
     };
-    std::iter::once(&("time", "s")).chain(fields).map(|(name, unit)| Column::new(*name, *unit)).collect()
+    std::iter::once(&("time", "s"))
+        .chain(fields)
+        .map(|(name, unit)| Column::new(*name, *unit))
+        .collect()
 }
 
 /// One row of a probe: kernel means over the particles around `x`; NaN where there is no support.
 #[must_use]
 pub(crate) fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
     let values = match body {
-        Body::Fluid(f) => mean(x, &f.position, |a| (f.area(a), f.smoothing_length[a]), |a| fluid_values(f, a)).to_vec(),
+        Body::Fluid(f) => mean(
+            x,
+            &f.position,
+            |a| (f.area(a), f.smoothing_length[a]),
+            |a| fluid_values(f, a),
+        )
+        .to_vec(),
         Body::Solid(s) => mean(
             x,
             &s.state.position,
@@ -50,13 +64,28 @@ pub(crate) fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
 }
 
 fn fluid_values(f: &Fluid, a: usize) -> [f64; 4] {
-    [f.pressure[a], f.density(a), f.velocity[a][0], f.velocity[a][1]]
+    [
+        f.pressure[a],
+        f.density(a),
+        f.velocity[a][0],
+        f.velocity[a][1],
+    ]
 }
 
 fn solid_values(s: &Solid, a: usize) -> [f64; 9] {
     let (q, t) = (&s.state, s.state.stress[a]);
     let v = q.velocity[a];
-    [t.xx, t.yy, t.zz, t.xy, q.von_mises[a], q.plastic_strain[a], q.plastic_strain_rate[a], v[0], v[1]]
+    [
+        t.xx,
+        t.yy,
+        t.zz,
+        t.xy,
+        q.von_mises[a],
+        q.plastic_strain[a],
+        q.plastic_strain_rate[a],
+        v[0],
+        v[1],
+    ]
 }
 
 fn mean<const N: usize>(
@@ -78,7 +107,11 @@ fn mean<const N: usize>(
         }
     }
     // Half the support lies beyond the axis or a wall for a point on it.
-    if weight < SUPPORT { [f64::NAN; N] } else { sum.map(|s| s / weight) }
+    if weight < SUPPORT {
+        [f64::NAN; N]
+    } else {
+        sum.map(|s| s / weight)
+    }
 }
 
 /// All fields of a body.
@@ -89,25 +122,61 @@ pub(crate) fn snapshot(body: &Body, time: f64) -> Snapshot {
             let density: Vec<f64> = (0..f.len()).map(|a| f.density(a)).collect();
             let area: Vec<f64> = (0..f.len()).map(|a| f.area(a)).collect();
             Snapshot::new(time, &f.position)
-                .with(Field::scalar("pressure", "Pa", Data::F64(f.pressure.clone())))
+                .with(Field::scalar(
+                    "pressure",
+                    "Pa",
+                    Data::F64(f.pressure.clone()),
+                ))
                 .with(Field::scalar("density", "kg/m3", Data::F64(density)))
                 .with(Field::vector("velocity", "m/s", &f.velocity))
-                .with(Field::scalar("smoothing_length", "m", Data::F64(f.smoothing_length.clone())))
+                .with(Field::scalar(
+                    "smoothing_length",
+                    "m",
+                    Data::F64(f.smoothing_length.clone()),
+                ))
                 .with(Field::scalar("area", "m2", Data::F64(area)))
                 .with(Field::scalar("support", "-", Data::F64(f.support.clone())))
         }
         Body::Solid(s) => {
             let q = &s.state;
             Snapshot::new(time, &q.position)
-                .with(Field::scalar("plastic_strain", "-", Data::F64(q.plastic_strain.clone())))
-                .with(Field::scalar("plastic_strain_rate", "1/s", Data::F64(q.plastic_strain_rate.clone())))
-                .with(Field::scalar("von_mises", "Pa", Data::F64(q.von_mises.clone())))
+                .with(Field::scalar(
+                    "plastic_strain",
+                    "-",
+                    Data::F64(q.plastic_strain.clone()),
+                ))
+                .with(Field::scalar(
+                    "plastic_strain_rate",
+                    "1/s",
+                    Data::F64(q.plastic_strain_rate.clone()),
+                ))
+                .with(Field::scalar(
+                    "von_mises",
+                    "Pa",
+                    Data::F64(q.von_mises.clone()),
+                ))
                 .with(Field::symmetric("stress", "Pa", &q.stress))
                 .with(Field::vector("velocity", "m/s", &q.velocity))
-                .with(Field::scalar("plastic_work", "J/m3", Data::F64(q.plastic_work.clone())))
-                .with(Field::scalar("temperature", "K", Data::F64(q.temperature.clone())))
-                .with(Field::scalar("area", "m2", Data::F64(s.reference.area.clone())))
-                .with(Field::scalar("smoothing_length", "m", Data::F64(s.reference.smoothing_length.clone())))
+                .with(Field::scalar(
+                    "plastic_work",
+                    "J/m3",
+                    Data::F64(q.plastic_work.clone()),
+                ))
+                .with(Field::scalar(
+                    "temperature",
+                    "K",
+                    Data::F64(q.temperature.clone()),
+                ))
+                .with(Field::scalar(
+                    "area",
+                    "m2",
+                    Data::F64(s.reference.area.clone()),
+                ))
+                .with(Field::scalar(
+                    "smoothing_length",
+                    "m",
+                    Data::F64(s.reference.smoothing_length.clone()),
+                ))
         }
     }
 }

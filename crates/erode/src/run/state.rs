@@ -30,10 +30,17 @@ pub(crate) fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), Ru
                 checkpoint.push_vectors(&key("position"), &q.position)?;
                 checkpoint.push_vectors(&key("velocity"), &q.velocity)?;
                 checkpoint.push_vectors(&key("acceleration"), &q.acceleration)?;
-                let deformation: Vec<[f64; 4]> =
-                    q.deformation.iter().map(|f| [f[0][0], f[0][1], f[1][0], f[1][1]]).collect();
+                let deformation: Vec<[f64; 4]> = q
+                    .deformation
+                    .iter()
+                    .map(|f| [f[0][0], f[0][1], f[1][0], f[1][1]])
+                    .collect();
                 checkpoint.push_vectors(&key("deformation"), &deformation)?;
-                let stress: Vec<[f64; 6]> = q.stress.iter().map(|t| [t.xx, t.yy, t.zz, t.xy, t.xz, t.yz]).collect();
+                let stress: Vec<[f64; 6]> = q
+                    .stress
+                    .iter()
+                    .map(|t| [t.xx, t.yy, t.zz, t.xy, t.xz, t.yz])
+                    .collect();
                 checkpoint.push_vectors(&key("stress"), &stress)?;
                 for (name, values) in scalars(q) {
                     checkpoint.push(&key(name), values.clone())?;
@@ -69,19 +76,37 @@ pub(crate) fn accounts(world: &World) -> Value {
 ///
 /// # Errors
 /// If an array is missing or has another length than the world.
-pub(crate) fn restore(world: &mut World, checkpoint: &Checkpoint, accounts: &Value) -> Result<(), RunError> {
+pub(crate) fn restore(
+    world: &mut World,
+    checkpoint: &Checkpoint,
+    accounts: &Value,
+) -> Result<(), RunError> {
     world.time = checkpoint.meta.time;
     world.step = checkpoint.meta.step;
     for (i, named) in world.bodies.iter_mut().enumerate() {
         let name = named.name.clone();
         let vectors = |field: &str, n: usize| -> Result<Vec<[f64; 2]>, RunError> {
-            fits(checkpoint.vectors::<2>(&format!("{name}/{field}"))?, n, &name, field)
+            fits(
+                checkpoint.vectors::<2>(&format!("{name}/{field}"))?,
+                n,
+                &name,
+                field,
+            )
         };
         let numbers = |field: &str, n: usize| -> Result<Vec<f64>, RunError> {
-            fits(checkpoint.f64(&format!("{name}/{field}"))?.to_vec(), n, &name, field)
+            fits(
+                checkpoint.f64(&format!("{name}/{field}"))?.to_vec(),
+                n,
+                &name,
+                field,
+            )
         };
         let account = accounts.get(i).cloned().unwrap_or(Value::Null);
-        let wrong = |e: serde_json::Error| RunError::Checkpoint(format!("the account of body `{name}` is not readable ({e})"));
+        let wrong = |e: serde_json::Error| {
+            RunError::Checkpoint(format!(
+                "the account of body `{name}` is not readable ({e})"
+            ))
+        };
         match &mut named.body {
             Body::Fluid(f) => {
                 let n = f.len();
@@ -109,7 +134,14 @@ pub(crate) fn restore(world: &mut World, checkpoint: &Checkpoint, accounts: &Val
                 let stress = checkpoint.vectors::<6>(&format!("{name}/stress"))?;
                 s.state.stress = fits(stress, n, &name, "stress")?
                     .into_iter()
-                    .map(|t| Sym3 { xx: t[0], yy: t[1], zz: t[2], xy: t[3], xz: t[4], yz: t[5] })
+                    .map(|t| Sym3 {
+                        xx: t[0],
+                        yy: t[1],
+                        zz: t[2],
+                        xy: t[3],
+                        xz: t[4],
+                        yz: t[5],
+                    })
                     .collect();
                 s.state.hoop_stretch = numbers("hoop_stretch", n)?;
                 s.state.von_mises = numbers("von_mises", n)?;
@@ -130,6 +162,8 @@ fn fits<T>(values: Vec<T>, n: usize, body: &str, field: &str) -> Result<Vec<T>, 
         Ok(values)
     } else {
         let found = values.len();
-        Err(RunError::Checkpoint(format!("`{field}` of body `{body}` has {found} entries, the case makes {n}")))
+        Err(RunError::Checkpoint(format!(
+            "`{field}` of body `{body}` has {found} entries, the case makes {n}"
+        )))
     }
 }

@@ -14,6 +14,7 @@ pub(crate) struct Extended {
     pub(crate) density: Vec<f64>,
     pub(crate) sound_speed: Vec<f64>,
     pub(crate) smoothing_length: Vec<f64>,
+    pub(crate) strain_rate: Vec<f64>,
 }
 
 impl Extended {
@@ -35,6 +36,7 @@ impl Extended {
             density: ghosts.extend_even(&density),
             sound_speed: ghosts.extend_even(&sound_speed),
             smoothing_length: ghosts.extend_even(&fluid.smoothing_length),
+            strain_rate: ghosts.extend_even(&fluid.strain_rate),
         }
     }
 

@@ -87,14 +87,20 @@ impl Fluid {
         let tangent = [-outward[1], outward[0]];
         let mut row = Vec::new();
         let at_side = |a: &usize| side.distance(self.position[*a]) < self.smoothing_length[*a];
-        let coarsest = (0..self.len()).filter(at_side).map(|a| self.smoothing_length[a]).fold(0.0, f64::max);
+        let coarsest = (0..self.len())
+            .filter(at_side)
+            .map(|a| self.smoothing_length[a])
+            .fold(0.0, f64::max);
         let rise = RISE * coarsest / self.eos.sound_speed;
         for a in 0..self.len() {
             let depth = side.distance(self.position[a]);
             let nearest = self.far_field[a].is_some() && self.side_depth[a] <= depth;
             if depth < REACH * self.smoothing_length[a] && !nearest {
                 self.far_field[a] = FarField {
-                    normal: outward, face_area: 0.0, rise, ..far
+                    normal: outward,
+                    face_area: 0.0,
+                    rise,
+                    ..far
                 };
                 self.side_depth[a] = depth;
             }

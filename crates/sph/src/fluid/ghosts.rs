@@ -120,9 +120,9 @@ impl Ghosts {
                 n + ghosts.source.len(),
                 ghosts.extend(&fluid.position, Plane::mirror),
             );
-            for a in 0..count {
+            for (a, x) in position.iter().enumerate().take(count) {
                 let h = fluid.smoothing_length[ghosts.particle(n, a)];
-                if position[a][0] < REACH * h {
+                if x[0] < REACH * h {
                     let of = a.checked_sub(n);
                     let wall = of.map_or(AXIS, |k| ghosts.wall[k]);
                     ghosts.push(a, AXIS_PLANE, wall, of.is_some_and(|k| ghosts.surface[k]));

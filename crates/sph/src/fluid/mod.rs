@@ -3,14 +3,17 @@
 //! A particle is a ring (axisymmetry) or a unit-thickness prism (plane) of liquid with a mass and a volume of its
 //! own. Its meridional area A = V/(2 pi r) is the weight of kernel sums; h = 1.3 sqrt(A).
 
+pub mod axis_function;
 pub mod corrected;
 mod extended;
 pub mod far_field;
 pub mod ghosts;
+pub mod joshi;
 mod kinematics;
 mod moments;
 mod momentum;
 mod shifting;
+pub(crate) mod step;
 
 use crate::geometry::{Geometry, Vec2};
 use corrected::Account;
@@ -70,6 +73,8 @@ pub struct Fluid {
 pub enum Formulation {
     /// Corrected divergence, Riemann pair values, shifting that carries mass.
     Corrected(corrected::Settings),
+    /// As published: summation density with f1, artificial viscosity.
+    Joshi(joshi::Settings),
 }
 
 /// Particles of a liquid at the start.
@@ -146,12 +151,29 @@ impl Fluid {
         self.volume[a] / self.geometry.ring(self.position[a][0])
     }
 
-    /// Pressure from density, tension removed; smoothing length from area.
+    /// Area that particle `a` fills with liquid, m2: summation density is low at a free surface, and what is below the
+    /// density at zero pressure is void.
+    pub(crate) fn filled_area(&self, a: usize) -> f64 {
+        match self.formulation {
+            Formulation::Corrected(_) => self.area(a),
+            Formulation::Joshi(_) => {
+                self.area(a) * (self.density(a) / self.eos.reference_density).min(1.0)
+            }
+        }
+    }
+
+    /// Pressure from density, tension removed.
     pub(crate) fn update_pressure(&mut self) {
         for a in 0..self.len() {
             let pressure = self.eos.pressure(self.density(a));
             self.account.cavitating += u64::from(pressure < 0.0);
             self.pressure[a] = pressure.max(0.0);
+        }
+    }
+
+    /// Smoothing length from area.
+    pub(crate) fn update_smoothing_length(&mut self) {
+        for a in 0..self.len() {
             let h0 = self.initial_smoothing_length[a];
             let h = SMOOTHING * self.area(a).sqrt();
             self.smoothing_length[a] = h.clamp(SMOOTHING_RANGE.0 * h0, SMOOTHING_RANGE.1 * h0);

@@ -2,16 +2,16 @@
 //!
 //! dv_a/dt = -(1/rho_a) G_a sum_b A_b (p_a + p_b + q_ab - 2 p_x) grad W
 //!
-//! q_ab = min(3 u/c, 1) rho c u for pairs that approach with speed u: the dissipation of a low-dissipation acoustic
-//! Riemann solver, u reconstructed with the velocity gradient. G_a = L_a inside the liquid; near a free surface it is the
+//! q_ab = rho c u for pairs that approach with speed u: the dissipation of an acoustic Riemann solver, u being what the
+//! velocity gradient does not explain (third order in smooth flow). G_a = L_a inside the liquid; near a free surface it is the
 //! identity, since the deficit of the plain sum is the condition p = 0 half a spacing outside the first particle. p_x is
 //! the pressure outside a far field, zero elsewhere.
 
 use crate::fluid::Fluid;
-use crate::fluid::corrected::Sweep;
 use crate::fluid::extended::{Extended, limited};
 use crate::fluid::kinematics::Kinematics;
 use crate::fluid::moments::{Sym2, apply};
+use crate::fluid::step::Sweep;
 use crate::geometry::Vec2;
 use rayon::prelude::*;
 
@@ -108,5 +108,5 @@ fn dissipation(
     let u = limited(jump, linear);
     let c = 0.5 * (x.sound_speed[a] + x.sound_speed[b]);
     let rho = 0.5 * (x.density[a] + x.density[b]);
-    (3.0 * u / c).min(1.0) * rho * c * u
+    rho * c * u
 }

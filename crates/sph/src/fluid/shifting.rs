@@ -4,6 +4,11 @@
 //! comes from strain. A particle that moves relative to the liquid exchanges volume with its neighbours,
 //! q_ab = 2 pi r_ab A_a A_b (d_a + d_b) . grad W, antisymmetric; mass and momentum go with the volume, upwind. Uniform
 //! density stays uniform and mass is conserved to rounding.
+//!
+//! The areas A drift apart in strong strain, first at the axis, where a small change of r is a large change of A = V/(2 pi r);
+//! unequal weights then spoil the sums. The same exchange therefore also levels the sizes of neighbours,
+//! q_ab += 10 |grad v| 2 pi r_ab A_a A_b W 2 (A_b - A_a)/(A_a + A_b). (Without it the pressure along the axis of a jet is noisy by
+//! 20 %, and particles near the axis swell to many times their size.)
 
 use crate::fluid::Fluid;
 use crate::fluid::corrected::Settings;
@@ -11,6 +16,7 @@ use crate::fluid::extended::Extended;
 use crate::fluid::ghosts::Ghosts;
 use crate::fluid::kinematics::Kinematics;
 use crate::geometry::{Geometry, Vec2};
+use crate::kernel;
 use crate::neighbours::Neighbours;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -20,6 +26,9 @@ const SURFACE: f64 = 0.6;
 
 /// A particle gives at most this share of its volume per step.
 const LARGEST_SHARE: f64 = 0.1;
+
+/// Rate of levelling of areas in units of |grad v|; 3 and 20 serve as well.
+const LEVELLING: f64 = 10.0;
 
 /// Shifting velocities, m/s.
 pub(crate) fn velocities(fluid: &Fluid, kinematics: &[Kinematics], s: &Settings) -> Vec<Vec2> {
@@ -38,10 +47,6 @@ fn velocity_of(a: usize, fluid: &Fluid, k: &Kinematics, s: &Settings) -> Vec2 {
         let n = k.crowding.map(|c| c / size);
         let along = d[0] * n[0] + d[1] * n[1];
         d = [d[0] - along * n[0], d[1] - along * n[1]];
-    }
-    let fade = std::env::var("FADE").map_or(1.0, |v| v.parse::<f64>().unwrap());
-    if fluid.geometry == Geometry::Axisymmetric && fade > 0.0 {
-        d[0] *= (fade * fluid.position[a][0] / h).min(1.0);
     }
     let limit = s.shifting_limit * h * strain;
     let speed = d[0].hypot(d[1]);
@@ -134,5 +139,9 @@ fn flow(fluid: &Fluid, x: &Extended, shift: &[Vec2], a: usize, b: usize) -> f64 
     };
     let d = pair.separation;
     let along = (shift[a][0] + shift[b][0]) * d[0] + (shift[a][1] + shift[b][1]) * d[1];
-    ring * x.area[a] * x.area[b] * along * pair.factor
+    let (aa, ab) = (x.area[a], x.area[b]);
+    let strain = 0.5 * (x.strain_rate[a] + x.strain_rate[b]);
+    let levelling =
+        LEVELLING * strain * kernel::value(pair.distance, pair.h) * 2.0 * (ab - aa) / (aa + ab);
+    ring * aa * ab * (along * pair.factor + levelling)
 }

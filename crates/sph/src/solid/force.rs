@@ -20,7 +20,7 @@ use super::mat2::{Mat2, apply, determinant, inverse, product, product_transposed
 use super::reference::Reference;
 use super::state::State;
 use super::stress::TASK;
-use super::{Face, Solid, absorbing};
+use super::{Face, Formulation, Solid, absorbing};
 use crate::geometry::{Geometry, Vec2};
 use rayon::prelude::*;
 
@@ -118,6 +118,9 @@ impl Solid {
     ///
     /// In a kick-drift-kick step call it after [`Self::update_stress`]: the velocities are then those of the half step.
     pub fn accelerations(&mut self) {
+        if let Formulation::Joshi(settings) = self.numerics.formulation {
+            return self.present_accelerations(&settings);
+        }
         self.place_images();
         self.move_images();
         self.set_tractions();

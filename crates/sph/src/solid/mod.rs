@@ -1,8 +1,8 @@
-//! Total Lagrangian elastic-plastic solid, plane strain or axisymmetric.
+//! Elastic-plastic solid, plane strain or axisymmetric: total Lagrangian, or in the published form ([`updated`]).
 //!
-//! The body is a rectangle in its reference configuration, of any (also graded) spacing; neighbours and gradients are
-//! those of the reference, stored once. Sums are gathers over fixed lists with one writer per output, so results are
-//! the same bits for any number of threads. The formulas stand on top of
+//! The body is a rectangle in its reference configuration, of any (also graded) spacing; in the total Lagrangian form
+//! neighbours and gradients are those of the reference, stored once. Sums are gathers over fixed lists with one writer per
+//! output, so results are the same bits for any number of threads. The formulas stand on top of
 //! `stress.rs` (strain and stress), `force.rs`, `images.rs` (faces), `balance.rs`, `surface.rs` and `energy.rs`.
 
 mod absorbing;
@@ -19,6 +19,7 @@ mod state;
 mod step;
 mod stress;
 mod surface;
+pub mod updated;
 
 pub use block::{Block, Face, Side};
 pub use energy::Energy;
@@ -48,6 +49,19 @@ pub struct Numerics {
     pub hourglass: f64,
     /// Stable step in units of spacing / longitudinal wave speed.
     pub courant: f64,
+    /// Discrete form.
+    pub formulation: Formulation,
+}
+
+/// Discrete form of the solid.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Formulation {
+    /// Neighbours and gradients of the reference configuration; the viscosity and hourglass stiffness of [`Numerics`].
+    #[default]
+    TotalLagrangian,
+    /// As published: neighbours and gradients of the present configuration, an artificial viscosity of its own.
+    Joshi(updated::Settings),
 }
 
 impl Default for Numerics {
@@ -58,6 +72,7 @@ impl Default for Numerics {
             edge_viscosity: 1.0,
             hourglass: 0.1,
             courant: 0.4,
+            formulation: Formulation::default(),
         }
     }
 }
@@ -80,6 +95,8 @@ pub struct Solid {
     /// Traction and absorbing faces.
     pub surfaces: Vec<Surface>,
     scratch: force::Scratch,
+    /// Used by the published form alone.
+    present: updated::Present,
 }
 
 /// What a solid is made from.
@@ -121,6 +138,15 @@ impl Solid {
             .filter(|&side| !block.face(side).mirrors())
             .map(|side| Surface::new(geometry, &block, side, &reference))
             .collect::<Result<Vec<_>, _>>()?;
+        let present = match numerics.formulation {
+            Formulation::TotalLagrangian => updated::Present::default(),
+            Formulation::Joshi(_) => updated::Present::new(
+                &block,
+                &reference.position,
+                &reference.smoothing_length,
+                &surfaces,
+            )?,
+        };
         let axisymmetric = geometry == Geometry::Axisymmetric;
         reference.imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
         let mut solid = Self {
@@ -132,6 +158,7 @@ impl Solid {
             reference,
             surfaces,
             scratch: force::Scratch::default(),
+            present,
         };
         solid.follow_surfaces();
         Ok(solid)
@@ -175,10 +202,14 @@ impl Solid {
 
     /// Moves the surface points to the present positions and velocities.
     pub fn follow_surfaces(&mut self) {
+        if let Formulation::Joshi(_) = self.numerics.formulation {
+            return self.arrange();
+        }
         self.move_images();
         let (reference, velocity) = (&self.reference, &self.scratch.velocity);
         for surface in &mut self.surfaces {
-            surface.follow(reference, &self.state, |a| {
+            surface.follow_position(reference, &self.state);
+            surface.follow_velocity(reference, &self.state, |a| {
                 stress::gradient(reference, velocity, a)
             });
         }

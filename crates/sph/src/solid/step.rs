@@ -1,6 +1,6 @@
 //! Time step of a solid on its own (kick, drift, kick) and its stable length.
 
-use super::{Solid, SolidError};
+use super::{Formulation, Solid, SolidError};
 use rayon::prelude::*;
 
 /// The stable step and what limits it.
@@ -42,8 +42,13 @@ impl Solid {
             .for_each(|(v, a)| *v = [v[0] + dt * a[0], v[1] + dt * a[1]]);
     }
 
-    /// Adds velocity x `dt` to the positions.
+    /// Adds velocity x `dt` to the positions; in the published form with XSPH its smoothed velocity.
     pub fn drift(&mut self, dt: f64) {
+        if let Formulation::Joshi(settings) = self.numerics.formulation
+            && settings.xsph != 0.0
+        {
+            self.follow_neighbours(settings.xsph, dt);
+        }
         let s = &mut self.state;
         (&mut s.position, &s.velocity)
             .into_par_iter()

@@ -8,9 +8,9 @@
 //! The rate is written for tau because tau:C^-1:tau/2 per reference volume is then exactly the stored energy.
 //! Units: SI, stress positive in tension. Range: finite rotation, moderate stretch (J > 0).
 
-use super::mat2::{Mat2, combine, determinant, inverse, product};
+use super::mat2::{Mat2, UNIT, combine, determinant, inverse, product};
 use super::reference::Reference;
-use super::{Solid, SolidError};
+use super::{Formulation, Solid, SolidError};
 use crate::geometry::{Geometry, Vec2};
 use erode_physics::Sym3;
 use erode_physics::material_point::Material;
@@ -69,6 +69,14 @@ fn increment(old: &Mat2, old_hoop: f64, new: &Mat2, new_hoop: f64) -> Increment 
     }
 }
 
+/// Deformation gradient after `dt` with velocity gradient l: (I - l dt/2) F' = (I + l dt/2) F, for which the strain and spin
+/// of [`increment`] are those of l dt exactly.
+fn advanced(old: &Mat2, l: &Mat2, dt: f64) -> Mat2 {
+    let forward = combine(&UNIT, 1.0, l, 0.5 * dt);
+    let backward = combine(&UNIT, 1.0, l, -0.5 * dt);
+    product(&inverse(&backward), &product(&forward, old))
+}
+
 impl Point<'_> {
     fn update(self, f: Mat2, hoop: f64, dt: f64, material: &Material) -> Result<(), Failure> {
         let old_j = determinant(self.deformation) * *self.hoop_stretch;
@@ -116,11 +124,16 @@ impl Solid {
     /// If a particle is turned inside out or the stress cannot be returned to the yield surface; the particle with
     /// the smallest index is named. The state is then not usable any more.
     pub fn update_stress(&mut self, dt: f64) -> Result<(), SolidError> {
-        self.place_images();
+        let form = self.numerics.formulation;
+        match form {
+            Formulation::TotalLagrangian => self.place_images(),
+            Formulation::Joshi(_) => self.velocity_gradients(),
+        }
         let (reference, material) = (&self.reference, &self.material);
-        let position = &self.scratch.position;
+        let (position, rates) = (&self.scratch.position, &self.present.gradient);
         let axisymmetric = self.geometry == Geometry::Axisymmetric;
         let s = &mut self.state;
+        let place = &s.position;
         let failed =
             (
                 &mut s.deformation,
@@ -157,11 +170,14 @@ impl Solid {
                         temperature,
                     };
                     let hoop = if axisymmetric {
-                        position[a][0] / reference.position[a][0]
+                        place[a][0] / reference.position[a][0]
                     } else {
                         1.0
                     };
-                    let f = gradient(reference, position, a);
+                    let f = match form {
+                        Formulation::TotalLagrangian => gradient(reference, position, a),
+                        Formulation::Joshi(_) => advanced(point.deformation, &rates[a], dt),
+                    };
                     point.update(f, hoop, dt, material).err().map(|e| (a, e))
                 })
                 .min_by_key(|(a, _)| *a);

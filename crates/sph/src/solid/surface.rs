@@ -118,7 +118,7 @@ impl Surface {
             if image.sides().any(|s| s == self.side) {
                 let b = image.source as usize;
                 self.point_of_particle[b] =
-                    self.nearest(reference.position[b][along], along, reference)?;
+                    self.nearest(reference.position[b][along], along, &reference.position)?;
             }
         }
         for a in 0..reference.position.len() {
@@ -151,15 +151,19 @@ impl Surface {
         Ok(())
     }
 
-    fn nearest(&self, x: f64, along: usize, reference: &Reference) -> Result<u32, SolidError> {
-        let at = |j: usize| reference.position[self.particle[j]][along];
+    /// Point nearest to coordinate `x` along the face; `position` are the reference positions of the particles.
+    pub(super) fn nearest(
+        &self,
+        x: f64,
+        along: usize,
+        position: &[Vec2],
+    ) -> Result<u32, SolidError> {
+        let at = |j: usize| position[self.particle[j]][along];
         let n = self.particle.len();
         if n == 0 {
             return Err(SolidError::NoSurface { side: self.side });
         }
-        let after = self
-            .particle
-            .partition_point(|&i| reference.position[i][along] < x);
+        let after = self.particle.partition_point(|&i| position[i][along] < x);
         let j = if after == 0 {
             0
         } else if after == n || x - at(after - 1) <= at(after) - x {
@@ -181,21 +185,31 @@ impl Surface {
         self.traction[j].map(|t| t * self.scale[j])
     }
 
-    /// Extrapolates position and velocity from the particles to the face points by their own gradients.
-    pub(super) fn follow(
+    /// Extrapolates position from the particles to the face points by the deformation gradient.
+    pub(super) fn follow_position(&mut self, reference: &Reference, state: &State) {
+        for (j, &a) in self.particle.iter().enumerate() {
+            let x = apply(&state.deformation[a], self.offset(j, reference));
+            self.position[j] = [0, 1].map(|k| state.position[a][k] + x[k]);
+        }
+    }
+
+    /// Extrapolates velocity from the particles to the face points by its gradient dv/dX.
+    pub(super) fn follow_velocity(
         &mut self,
         reference: &Reference,
         state: &State,
         velocity_gradient: impl Fn(usize) -> Mat2,
     ) {
-        for j in 0..self.particle.len() {
-            let a = self.particle[j];
-            let d = [0, 1].map(|k| self.reference_position[j][k] - reference.position[a][k]);
-            let x = apply(&state.deformation[a], d);
-            let v = apply(&velocity_gradient(a), d);
-            self.position[j] = [0, 1].map(|k| state.position[a][k] + x[k]);
+        for (j, &a) in self.particle.iter().enumerate() {
+            let v = apply(&velocity_gradient(a), self.offset(j, reference));
             self.velocity[j] = [0, 1].map(|k| state.velocity[a][k] + v[k]);
         }
+    }
+
+    /// Reference vector from the particle to the point, m.
+    fn offset(&self, j: usize, reference: &Reference) -> Vec2 {
+        let x = reference.position[self.particle[j]];
+        [0, 1].map(|k| self.reference_position[j][k] - x[k])
     }
 
     /// Power of the traction that acted, W.

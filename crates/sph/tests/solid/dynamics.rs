@@ -5,14 +5,14 @@ use erode_physics::strength::Strength;
 use erode_sph::Geometry::{Axisymmetric, Plane};
 use erode_sph::solid::{Face, Numerics, Setup, Side, Solid};
 
-fn strip(bottom: Face) -> Faces {
+pub(crate) fn strip(bottom: Face) -> Faces {
     [Face::Symmetry, Face::Symmetry, bottom, Face::Traction]
 }
 
 /// Full width at half height of the pulse, in time.
-const WIDTH: f64 = 25.0 * DX / 5666.0;
+pub(crate) const WIDTH: f64 = 25.0 * DX / 5666.0;
 
-fn pulse(time: f64) -> f64 {
+pub(crate) fn pulse(time: f64) -> f64 {
     let x = (time - 1.5 * WIDTH) / WIDTH;
     1e6 * (-4.0 * std::f64::consts::LN_2 * x * x).exp()
 }
@@ -36,7 +36,7 @@ fn travel(viscosity: f64, bottom: Face, rows: &[usize], end: f64) -> (f64, Vec<V
 }
 
 /// Time and height of the largest value, by a parabola through three points.
-fn peak(values: &[f64], dt: f64) -> (f64, f64) {
+pub(crate) fn peak(values: &[f64], dt: f64) -> (f64, f64) {
     let i = (1..values.len() - 1)
         .max_by(|&a, &b| values[a].total_cmp(&values[b]))
         .unwrap();

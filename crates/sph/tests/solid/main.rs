@@ -1,4 +1,4 @@
-//! Total Lagrangian solid against exact solutions and invariants.
+//! Solid against exact solutions and invariants.
 #![allow(clippy::unwrap_used)] // a failed test may panic
 
 mod bodies;
@@ -6,3 +6,4 @@ mod dynamics;
 mod equilibrium;
 mod kinematics;
 mod ledger;
+mod updated;

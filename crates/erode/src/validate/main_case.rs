@@ -1,0 +1,174 @@
+//! The main case beside its source: plastic strain of A-2205 after the collapse of a bubble of 0.15 mm, 50 MPa.
+//!
+//! One published run of another method, without error bars: its values stand beside ours; judged is where the largest
+//! plastic strain lies, and the ledger. The quick form runs at low resolution and judges the ledger alone.
+
+use super::check::Check;
+use super::{Failure, Finding, Validation};
+use crate::output::Summary;
+use crate::run::{self, Observer, Progress, Start};
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+pub(super) const DETACHED: Validation = Validation {
+    name: "detached-cavity",
+    description: "plastic strain in A-2205 steel after the collapse of a bubble of 0.15 mm at standoff 1.33, 50 MPa",
+    reference: "Joshi 2018, section 6.4.1 and figure 6.7: 0.23 %, off the axis (validation/detached-cavity)",
+    run: |quick, say| finding(&Source::DETACHED, quick, say),
+};
+
+pub(super) const ATTACHED: Validation = Validation {
+    name: "attached-cavity",
+    description: "plastic strain in A-2205 steel after the collapse of a bubble of 0.15 mm at standoff 0.66, 50 MPa",
+    reference: "Joshi 2018, section 6.4.1 and figure 6.8: 0.83 %, on the axis (validation/attached-cavity)",
+    run: |quick, say| finding(&Source::ATTACHED, quick, say),
+};
+
+/// Particles per radius: quick, full.
+const RESOLUTION: (u32, u32) = (8, 30);
+
+/// Radius of the bubble, m.
+const RADIUS: f64 = 0.15e-3;
+
+/// What the source says about one standoff.
+struct Source {
+    /// The case file that users start from.
+    case: &'static str,
+    max_plastic_strain: f64,
+    off_axis: bool,
+}
+
+impl Source {
+    const DETACHED: Self = Self {
+        case: include_str!("../../../../cases/bubble-near-steel/case.toml"),
+        max_plastic_strain: 0.0023,
+        off_axis: true,
+    };
+    const ATTACHED: Self = Self {
+        case: include_str!("../../../../cases/bubble-attached/case.toml"),
+        max_plastic_strain: 0.0083,
+        off_axis: false,
+    };
+}
+
+/// Hands the progress of a run on.
+struct Listener<'a>(&'a mut dyn FnMut(&str));
+
+impl Observer for Listener<'_> {
+    fn say(&mut self, text: &str) {
+        (self.0)(text);
+    }
+
+    fn progress(&mut self, p: &Progress) {
+        let share = 100.0 * p.time / p.end_time;
+        (self.0)(&format!(
+            "{share:.0} % of the simulated time, step {}",
+            p.step
+        ));
+    }
+}
+
+fn finding(source: &Source, quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
+    let n = if quick { RESOLUTION.0 } else { RESOLUTION.1 };
+    let problem = |e: &dyn std::fmt::Display| Failure::Run(e.to_string());
+    let folder = tempfile::tempdir().map_err(|e| problem(&e))?;
+    let case = folder.path().join("case.toml");
+    fs::write(&case, source.case).map_err(|e| problem(&e))?;
+    let summary = simulate(&case, folder.path(), n, say)?;
+    let get = |name: &str| summary.get(name).unwrap_or(f64::NAN);
+    let counts = format!(
+        "n = {n}: {} particles, {} steps",
+        get("particles"),
+        get("steps")
+    );
+    Ok(Finding {
+        checks: checks(source, &summary, n, quick),
+        notes: vec![counts],
+        ..Finding::default()
+    })
+}
+
+fn simulate(
+    case: &Path,
+    folder: &Path,
+    n: u32,
+    say: &mut dyn FnMut(&str),
+) -> Result<Summary, Failure> {
+    let problem = |e: &dyn std::fmt::Display| Failure::Run(e.to_string());
+    let output = folder.join("run");
+    let start = Start {
+        case: case.into(),
+        overrides: vec![format!("setup.bubble_near_wall.particles_per_radius={n}")],
+        output: output.clone(),
+        threads: None,
+    };
+    let never = AtomicBool::new(false);
+    run::start(&start, &never, &mut Listener(say)).map_err(|e| problem(&e))?;
+    Summary::read(&output.join("summary.json")).map_err(|e| problem(&e))
+}
+
+const SIDE_BY_SIDE: &str = "not judged: one published run of another method, without error bars";
+const COARSE: &str = "not judged in the quick form: the jet is one or two particles wide";
+
+fn checks(source: &Source, summary: &Summary, n: u32, quick: bool) -> Vec<Check> {
+    let get = |name: &str| summary.get(name).unwrap_or(f64::NAN);
+    let title = |what: &str| format!("n = {n}: {what}");
+    let shown = |name: &str, what: &str| {
+        let unit = summary.unit(name).unwrap_or("-");
+        Check::shown(
+            title(what),
+            unit,
+            get(name),
+            None,
+            "not judged: the source gives no number",
+        )
+    };
+    let strain = Check::shown(
+        title("largest plastic strain"),
+        "-",
+        get("max_plastic_strain"),
+        Some(source.max_plastic_strain),
+        SIDE_BY_SIDE,
+    );
+    vec![
+        strain,
+        place(source, get("max_plastic_strain_r"), n, quick),
+        shown("max_plastic_strain_depth", "its depth"),
+        shown("jet_speed", "jet speed"),
+        shown("collapse_time", "collapse time"),
+        shown("peak_wall_pressure", "largest pressure on the wall"),
+        shown("pit_depth", "depth of the pit"),
+        shown("plastic_work", "plastic work"),
+        Check::absolute(
+            title("defect of the energy ledger"),
+            "-",
+            (get("energy_drift"), 0.0),
+            0.01,
+            "issue 2: the ledger closes to 1 %",
+        ),
+    ]
+}
+
+/// Where the largest plastic strain lies.
+fn place(source: &Source, r: f64, n: u32, quick: bool) -> Check {
+    let quantity = format!("n = {n}: distance of the largest plastic strain from the axis");
+    let apart = 2.0 * RADIUS / f64::from(n);
+    match (quick, source.off_axis) {
+        (true, _) => Check::shown(quantity, "m", r, None, COARSE),
+        (false, true) => Check::at_least(
+            quantity,
+            "m",
+            r,
+            apart,
+            "the source has it off the axis; two spacings tell it from the axis",
+        ),
+        (false, false) => Check::absolute(
+            quantity,
+            "m",
+            (r, 0.0),
+            apart,
+            "the source has it on the axis; within two spacings it cannot be told from the axis",
+        ),
+    }
+}
