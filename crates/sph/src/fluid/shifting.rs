@@ -74,13 +74,18 @@ pub(crate) fn exchange(
     let x = Extended::new(fluid, ghosts, &fluid.velocity);
     let shift = ghosts.extend(shift, |p, d| p.mirror_direction(d));
     let before = fluid.kinetic_energy() + fluid.compression_energy();
+    // A curved surface mirrors each particle in a plane of its own: images of a pair do not match, mass would leak.
+    let partners = |a: usize| {
+        list.of(a)
+            .iter()
+            .map(|&b| b as usize)
+            .filter(|&b| !ghosts.is_surface(n, b))
+    };
     let share: Vec<f64> = (0..n)
         .into_par_iter()
         .map(|a| {
-            let given: f64 = list
-                .of(a)
-                .iter()
-                .map(|&b| flow(fluid, &x, &shift, a, b as usize).min(0.0))
+            let given: f64 = partners(a)
+                .map(|b| flow(fluid, &x, &shift, a, b).min(0.0))
                 .sum();
             (LARGEST_SHARE * fluid.volume[a] / (-dt * given).max(f64::MIN_POSITIVE)).min(1.0)
         })
@@ -91,8 +96,7 @@ pub(crate) fn exchange(
         .into_par_iter()
         .map(|a| {
             let mut gain = Gain::default();
-            for &b in list.of(a) {
-                let b = b as usize;
+            for b in partners(a) {
                 let q = dt * flow(fluid, &x, &shift, a, b);
                 let donor = if q > 0.0 { b } else { a };
                 gain.add(q * share[donor], x.density[donor], x.velocity[donor]);
