@@ -16,6 +16,9 @@ const STATUS_EVERY: f64 = 1.0;
 /// Particles within this many finest spacings of a failure are written out.
 const SURROUNDINGS: f64 = 10.0;
 
+/// Sums of time steps are exact to this share.
+const ROUNDING: f64 = 1e-9;
+
 /// A run in progress.
 pub(crate) struct Run {
     pub(super) files: Files,
@@ -162,7 +165,8 @@ impl Run {
 
     pub(super) fn finished(&self) -> bool {
         let run = &self.simulation.run;
-        self.world.time >= run.end_time || run.max_steps.is_some_and(|n| self.world.step >= n)
+        self.world.time >= run.end_time * (1.0 - ROUNDING)
+            || run.max_steps.is_some_and(|n| self.world.step >= n)
     }
 
     fn drift(&self) -> f64 {
@@ -183,8 +187,10 @@ impl Run {
     }
 
     fn checked_step(&mut self) -> Result<(), RunError> {
+        let (dt, limiter) = &self.last;
+        let mut finding = watch::short_step(*dt, self.first_dt, limiter);
+        self.meet_the_end();
         let (dt, limiter) = self.last.clone();
-        let mut finding = watch::short_step(dt, self.first_dt, &limiter);
         if finding.is_none() {
             finding = match self.world.advance(dt) {
                 Ok(()) => watch::implausible(&self.world),
@@ -194,6 +200,20 @@ impl Run {
         self.refuse(finding)?;
         self.record.see_step(&self.world, limiter.reason);
         Ok(())
+    }
+
+    /// Shortens the last two steps so that they end at the end time, and neither is much shorter than the stable one.
+    fn meet_the_end(&mut self) {
+        let left = self.simulation.run.end_time - self.world.time;
+        let (dt, limiter) = &mut self.last;
+        if left < 2.0 * *dt {
+            *dt = if left <= *dt * (1.0 + ROUNDING) {
+                left
+            } else {
+                0.5 * left
+            };
+            limiter.reason = "end of the run";
+        }
     }
 
     /// Ends the run if the watch found something.

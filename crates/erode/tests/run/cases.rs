@@ -195,6 +195,13 @@ fn check_summary(dir: &Path) {
         "mass drift {}",
         all["mass_drift"]
     );
+    let asked = erode::output::Status::read(&dir.join("status.json"))
+        .unwrap()
+        .end_time;
+    assert!(
+        scalar("end_time") <= asked * (1.0 + 1e-9),
+        "no step goes beyond the end"
+    );
     let limited: f64 = all["limiters"]
         .as_object()
         .unwrap()

@@ -108,8 +108,10 @@ pub(crate) fn fresh(name: &str) -> PathBuf {
     let dir = Path::new(env!("CARGO_TARGET_TMPDIR"))
         .join("run")
         .join(name);
-    if dir.exists() {
+    if dir.is_dir() {
         fs::remove_dir_all(&dir).unwrap();
+    } else if dir.exists() {
+        fs::remove_file(&dir).unwrap();
     }
     fs::create_dir_all(dir.parent().unwrap()).unwrap();
     dir

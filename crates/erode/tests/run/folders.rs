@@ -74,7 +74,7 @@ fn no_threads_is_wrong_input() {
 }
 
 #[test]
-fn a_finished_run_tells_so_and_its_report_can_be_made_again() {
+fn a_finished_run_tells_so() {
     let dir = finished(CASE).dir;
     let said = says(&["status", dir.to_str().unwrap()]);
     assert!(

@@ -184,3 +184,25 @@ fn a_file_that_cannot_grow_stops_the_run_and_loses_nothing() {
     assert!(resumed.status.success(), "{}", text(&resumed.stderr));
     assert_identical(&dir, &finished(CASE).dir);
 }
+
+/// The published forms carry other state than the default ones; without its last checkpoint a finished run is one that
+/// was killed after the one before.
+#[test]
+fn a_run_of_the_published_forms_goes_on_to_the_same_bits() {
+    let more = [
+        "--set",
+        "setup.bubble_near_wall.liquid_formulation.joshi={}",
+        "--set",
+        "setup.bubble_near_wall.wall_formulation.joshi={}",
+        "--set",
+        "run.end_time=0.4 us",
+    ];
+    let dirs = ["published", "published-again"].map(fresh);
+    for dir in &dirs {
+        let output = start(CASE, dir, &more).wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+    }
+    fs::remove_file(&checkpoints(&dirs[1])[1]).unwrap();
+    says(&["resume", dirs[1].to_str().unwrap()]);
+    assert_identical(&dirs[0], &dirs[1]);
+}
