@@ -148,6 +148,7 @@ pub(crate) fn in_words(cause: &io::Error) -> String {
         ErrorKind::NotFound => "there is no such file or folder".into(),
         ErrorKind::NotADirectory => "a part of the path is a file, not a folder".into(),
         ErrorKind::IsADirectory => "it is a folder, not a file".into(),
+        ErrorKind::FileTooLarge => "the file would be larger than the system allows".into(),
         _ => cause.to_string(),
     }
 }

@@ -12,6 +12,7 @@ mod results;
 mod state;
 mod steps;
 mod watch;
+mod writing;
 
 pub use build::world;
 pub use drive::{Ended, Start, resume, start};

@@ -6,7 +6,7 @@ use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
 use super::{RunError, results, state, watch};
 use crate::case::Simulation;
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, State, Status};
+use crate::output::{Checkpoint, RunFolder, State};
 use erode_sph::world::{Body, Limiter, World};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -16,19 +16,22 @@ const STATUS_EVERY: f64 = 1.0;
 /// Particles within this many finest spacings of a failure are written out.
 const SURROUNDINGS: f64 = 10.0;
 
+/// Sums of time steps are exact to this share.
+const ROUNDING: f64 = 1e-9;
+
 /// A run in progress.
 pub(crate) struct Run {
-    files: Files,
-    simulation: Simulation,
-    world: World,
-    hash: String,
-    record: Record,
-    cell: f64,
-    first_dt: f64,
+    pub(super) files: Files,
+    pub(super) simulation: Simulation,
+    pub(super) world: World,
+    pub(super) hash: String,
+    pub(super) record: Record,
+    pub(super) cell: f64,
+    pub(super) first_dt: f64,
     /// Last time step and what limited it.
-    last: (f64, Limiter),
-    begun: Instant,
-    first_step: u64,
+    pub(super) last: (f64, Limiter),
+    pub(super) begun: Instant,
+    pub(super) first_step: u64,
 }
 
 impl Run {
@@ -160,16 +163,17 @@ impl Run {
         Ok(true)
     }
 
-    fn finished(&self) -> bool {
+    pub(super) fn finished(&self) -> bool {
         let run = &self.simulation.run;
-        self.world.time >= run.end_time || run.max_steps.is_some_and(|n| self.world.step >= n)
+        self.world.time >= run.end_time * (1.0 - ROUNDING)
+            || run.max_steps.is_some_and(|n| self.world.step >= n)
     }
 
     fn drift(&self) -> f64 {
         self.record.energy_drift / self.record.energy_scale.max(f64::MIN_POSITIVE)
     }
 
-    fn progress(&self) -> Progress<'_> {
+    pub(super) fn progress(&self) -> Progress<'_> {
         Progress {
             time: self.world.time,
             end_time: self.simulation.run.end_time,
@@ -183,8 +187,10 @@ impl Run {
     }
 
     fn checked_step(&mut self) -> Result<(), RunError> {
+        let (dt, limiter) = &self.last;
+        let mut finding = watch::short_step(*dt, self.first_dt, limiter);
+        self.meet_the_end();
         let (dt, limiter) = self.last.clone();
-        let mut finding = watch::short_step(dt, self.first_dt, &limiter);
         if finding.is_none() {
             finding = match self.world.advance(dt) {
                 Ok(()) => watch::implausible(&self.world),
@@ -196,8 +202,22 @@ impl Run {
         Ok(())
     }
 
+    /// Shortens the last two steps so that they end at the end time, and neither is much shorter than the stable one.
+    fn meet_the_end(&mut self) {
+        let left = self.simulation.run.end_time - self.world.time;
+        let (dt, limiter) = &mut self.last;
+        if left < 2.0 * *dt {
+            *dt = if left <= *dt * (1.0 + ROUNDING) {
+                left
+            } else {
+                0.5 * left
+            };
+            limiter.reason = "end of the run";
+        }
+    }
+
     /// Ends the run if the watch found something.
-    fn refuse(&self, finding: Option<watch::Finding>) -> Result<(), RunError> {
+    pub(super) fn refuse(&self, finding: Option<watch::Finding>) -> Result<(), RunError> {
         let Some(finding) = finding else {
             return Ok(());
         };
@@ -208,81 +228,6 @@ impl Run {
             radius: 2.0 * SURROUNDINGS * self.cell,
         };
         Err(finding.into_error(&self.world, &step, self.files.paths()))
-    }
-
-    /// Rows, snapshots and checkpoints whose time has come since `before`: at the first step at or behind each multiple
-    /// of the interval.
-    fn write_due(&mut self, before: f64) -> Result<(), RunError> {
-        let output = self.simulation.output.clone();
-        let now = self.world.time;
-        let due = |every: f64| every > 0.0 && (now / every).floor() > (before / every).floor();
-        if due(output.history_every) || self.finished() {
-            self.write_row(self.last.0)?;
-            self.refuse(watch::open_ledger(
-                &self.record,
-                self.simulation.bubble.as_ref(),
-                &self.last.1,
-            ))?;
-        }
-        if due(output.fields_every) || self.finished() {
-            self.files.write_fields(&self.world)?;
-        }
-        if due(output.checkpoint_every) {
-            self.write_checkpoint()?;
-        }
-        Ok(())
-    }
-
-    fn write_row(&mut self, dt: f64) -> Result<(), RunError> {
-        let row = monitor::row(
-            &self.world,
-            &self.simulation,
-            self.cell,
-            dt,
-            &mut self.record,
-        );
-        self.files.write_row(&self.world, &self.simulation, &row)
-    }
-
-    fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        let mut extra = self.files.mark(&self.simulation)?;
-        let mut record = self.record.clone();
-        record.wall_time += self.begun.elapsed().as_secs_f64();
-        let record =
-            serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
-        extra.insert("first_dt".into(), self.first_dt.into());
-        extra.insert("record".into(), record);
-        extra.insert("accounts".into(), state::accounts(&self.world));
-        let mut checkpoint = Checkpoint::new(CheckpointMeta {
-            code_version: env!("CARGO_PKG_VERSION").to_owned(),
-            case_hash: self.hash.clone(),
-            time: self.world.time,
-            step: self.world.step,
-            extra: extra.into(),
-        });
-        state::store(&self.world, &mut checkpoint)?;
-        CheckpointStore::new(self.files.paths().checkpoints()).write(&checkpoint)?;
-        Ok(())
-    }
-
-    fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        let p = self.progress();
-        let rate =
-            (state == State::Running && p.steps_per_second > 0.0).then_some(p.steps_per_second);
-        let status = Status {
-            state,
-            time: p.time,
-            end_time: p.end_time,
-            step: p.step,
-            dt: p.dt,
-            limiter: p.limiter.to_owned(),
-            steps_per_second: rate,
-            eta: rate.map(|r| (p.end_time - p.time).max(0.0) / p.dt / r),
-            energy_drift: Some(p.energy_drift),
-            pid: std::process::id(),
-            message: message.map(str::to_owned),
-        };
-        Ok(status.write(&self.files.paths().status())?)
     }
 
     fn interrupt(&mut self) -> Result<Ended, RunError> {
