@@ -68,7 +68,7 @@ fn the_setup_of_the_thesis_expands_as_described() {
         liquid.shape,
         Shape::Rectangle {
             lower: [0.0, 0.0],
-            upper: [8.0 * r, d + 6.0 * r]
+            upper: [8.0 * r, d + 4.0 * r]
         }
     );
     assert_eq!(

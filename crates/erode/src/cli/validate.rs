@@ -35,6 +35,19 @@ pub(crate) fn run(args: &ValidateArgs) -> Outcome {
         let text = serde_json::to_string_pretty(&outcomes).map_err(|e| failed(&e))?;
         std::fs::write(file, text + "\n").map_err(|e| failed(&e))?;
     }
+    if let Some(folder) = &args.markdown {
+        validate::write_markdown(
+            folder,
+            &outcomes,
+            env!("CARGO_PKG_VERSION"),
+            &validate::today(),
+        )
+        .map_err(|e| Failure::Other {
+            code: FAILED,
+            message: e.to_string(),
+            help: e.hint(),
+        })?;
+    }
     if missed > 0 {
         let message = format!("{missed} tolerance(s) missed");
         return Err(Failure::Other {
