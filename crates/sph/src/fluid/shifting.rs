@@ -3,7 +3,7 @@
 //! Shifting velocity d = -k h^2 |grad v| sum A_b (1 + 0.2 (W/W(dx))^4) grad W, tied to the strain rate because the disorder
 //! comes from strain. A particle that moves relative to the liquid exchanges volume with its neighbours,
 //! q_ab = 2 pi r_ab A_a A_b (d_a + d_b) . grad W, antisymmetric; mass and momentum go with the volume, upwind. Uniform
-//! density stays uniform and mass is conserved to rounding.
+//! density stays uniform and mass is conserved to rounding wherever both images of a pair exist.
 //!
 //! The areas A drift apart in strong strain, first at the axis, where a small change of r is a large change of A = V/(2 pi r);
 //! unequal weights then spoil the sums. The same exchange therefore also levels the sizes of neighbours,
