@@ -133,9 +133,9 @@ fn the_setup_of_the_thesis_expands_as_described() {
         (bubble.centre, bubble.radius, bubble.wall_distance),
         ([0.0, d], r, Some(d))
     );
-    // Step to the bubble's top over 5 R, 1.25 collapse times, 4 R at the speed of sound.
+    // Step to the bubble's top over 3 R, 1.25 collapse times, 4 R at the speed of sound.
     let collapse = 0.915 * r * (1000.0_f64 / 50e6).sqrt();
-    let end = 5.0 * r / 1500.0 + 1.25 * collapse + 4.0 * r / 1500.0;
+    let end = 3.0 * r / 1500.0 + 1.25 * collapse + 4.0 * r / 1500.0;
     assert!((s.run.end_time / end - 1.0).abs() < 1e-12);
     assert_eq!(
         (s.output.fields_every, s.output.checkpoint_every),
