@@ -11,6 +11,7 @@ mod probes;
 mod results;
 mod state;
 mod steps;
+mod strain_profile;
 mod watch;
 mod writing;
 
@@ -20,3 +21,4 @@ pub use error::RunError;
 pub use ledger::Ledger;
 pub use monitor::{BubbleState, Metal, bubble};
 pub use observer::{Observer, Progress, Quiet};
+pub use strain_profile::{Column, columns, off_axis_maximum};

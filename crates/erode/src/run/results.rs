@@ -2,6 +2,7 @@
 
 use super::ledger::Ledger;
 use super::monitor::{Metal, Record, equivalent_radius, liquid, solid};
+use super::strain_profile::{Column, columns, off_axis_maximum};
 use crate::case::{BodyKind, Simulation};
 use crate::output::Summary;
 use erode_sph::world::{Body, World};
@@ -142,6 +143,10 @@ fn metal(s: &mut Summary, world: &World, record: &Record) {
     s.set("max_plastic_strain", "-", metal.max_plastic_strain);
     s.set("max_plastic_strain_r", "m", metal.place[0]);
     s.set("max_plastic_strain_depth", "m", metal.place[1]);
+    let off_axis = off_axis_maximum(&columns(body));
+    let of = |f: fn(&Column) -> f64| off_axis.as_ref().map_or(f64::NAN, f);
+    s.set("off_axis_plastic_strain", "-", of(|c| c.plastic_strain));
+    s.set("off_axis_plastic_strain_r", "m", of(|c| c.r));
     s.set("max_strain_rate", "1/s", record.max_strain_rate);
     s.set("plastic_work", "J", metal.plastic_work);
     s.set("plastic_volume", "m3", metal.plastic_volume);
@@ -214,8 +219,15 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
                 source,
             ),
             row(
-                "max_plastic_strain_r",
-                json!(radius),
+                "off_axis_plastic_strain",
+                json!(s.get("off_axis_plastic_strain").filter(|v| v.is_finite())),
+                json!(0.0023),
+                "-",
+                source,
+            ),
+            row(
+                "off_axis_plastic_strain_r",
+                json!(s.get("off_axis_plastic_strain_r").filter(|v| v.is_finite())),
                 json!("between 0.1 mm and 0.2 mm"),
                 "m",
                 "Joshi 2018, section 6.4.4.2, figure 6.14",
