@@ -10,6 +10,7 @@ mod balance;
 mod block;
 mod energy;
 mod error;
+mod failure;
 mod force;
 mod images;
 mod mat2;
@@ -26,12 +27,13 @@ pub use energy::Energy;
 pub use error::SolidError;
 pub use mat2::Mat2;
 pub use reference::Reference;
-pub use state::{Field, State, Work};
+pub use state::{FAILED, Field, LOOSE, Lost, State, Work};
 pub use step::StepLimit;
 pub use surface::Surface;
 
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
+use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
 use serde::{Deserialize, Serialize};
 
@@ -86,6 +88,8 @@ pub struct Solid {
     pub block: Block,
     /// Material.
     pub material: Material,
+    /// When the material fails; never unless set.
+    pub damage: Damage,
     /// Numerical constants.
     pub numerics: Numerics,
     /// Reference configuration.
@@ -154,6 +158,7 @@ impl Solid {
             geometry,
             block,
             material,
+            damage: Damage::None,
             numerics,
             reference,
             surfaces,
@@ -200,8 +205,10 @@ impl Solid {
         self.surfaces.iter_mut().find(|s| s.side == side)
     }
 
-    /// Moves the surface points to the present positions and velocities.
+    /// Moves the surface points to the present positions and velocities; takes particles out of the neighbour sums that the
+    /// state counts as removed.
     pub fn follow_surfaces(&mut self) {
+        self.forget_removed();
         if let Formulation::Joshi(_) = self.numerics.formulation {
             return self.arrange();
         }

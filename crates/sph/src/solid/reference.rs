@@ -16,6 +16,9 @@ use erode_physics::material_point::Material;
 /// Particles no deeper than this many spacings under a face are its first row.
 pub(super) const FIRST_ROW: f64 = 0.75;
 
+/// Smallest determinant of a moment matrix that spans a gradient; 1 inside.
+const LEAST_MOMENT: f64 = 0.01;
+
 /// One neighbour of a particle: real or a mirror image.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
@@ -65,6 +68,8 @@ pub struct Reference {
     pub(super) own_correction: Vec<Mat2>,
     /// See `balance.rs`.
     pub(super) imbalance: Vec<Vec2>,
+    /// Particles taken out of all sums, see `failure.rs`.
+    pub(super) forgotten: Vec<bool>,
     pair_start: Vec<u32>,
     pairs: Vec<Pair>,
     open_start: Vec<u32>,
@@ -102,6 +107,7 @@ impl Reference {
             full_correction: Vec::new(),
             own_correction: Vec::new(),
             imbalance: Vec::new(),
+            forgotten: vec![false; position.len()],
             pair_start: vec![0],
             pairs: Vec::new(),
             open_start: vec![0],
@@ -126,6 +132,58 @@ impl Reference {
     /// Open images that act on a particle.
     pub(super) fn open_pairs_of(&self, a: usize) -> &[OpenPair] {
         &self.open_pairs[self.open_start[a] as usize..self.open_start[a + 1] as usize]
+    }
+
+    /// Particles that, or whose images, are neighbours of a particle or of its images.
+    pub(super) fn sources_near(&self, a: usize) -> Vec<usize> {
+        let real = self.pairs_of(a).iter().map(|p| self.source(p.neighbour));
+        let open = self.open_pairs_of(a).iter();
+        let open = open.map(|p| self.open_images[p.image as usize].source as usize);
+        real.chain(open).collect()
+    }
+
+    /// The particle behind a neighbour.
+    fn source(&self, neighbour: u32) -> usize {
+        let (b, n) = (neighbour as usize, self.position.len());
+        if b < n {
+            b
+        } else {
+            self.mirror_images[b - n].source as usize
+        }
+    }
+
+    /// Sets the coefficients of all pairs of a particle with forgotten ones to zero; of all its pairs if it is one.
+    pub(super) fn silence(&mut self, a: usize) {
+        for k in self.pair_start[a] as usize..self.pair_start[a + 1] as usize {
+            if self.forgotten[a] || self.forgotten[self.source(self.pairs[k].neighbour)] {
+                let p = &mut self.pairs[k];
+                (p.gradient, p.viscous, p.separating, p.hourglass) = (0.0, 0.0, 0.0, 0.0);
+            }
+        }
+        for k in self.open_start[a] as usize..self.open_start[a + 1] as usize {
+            let source = self.open_images[self.open_pairs[k].image as usize].source;
+            if self.forgotten[a] || self.forgotten[source as usize] {
+                self.open_pairs[k].gradient = 0.0;
+            }
+        }
+    }
+
+    /// Corrects the gradients of a particle that lost neighbours; false if those left do not span one.
+    pub(super) fn correct_again(&mut self, a: usize) -> bool {
+        let mut moment = [[0.0; 2]; 2];
+        for p in self.pairs_of(a) {
+            add_moment(&mut moment, p.offset, p.gradient);
+        }
+        if determinant(&moment) <= LEAST_MOMENT {
+            return false;
+        }
+        self.own_correction[a] = inverse(&moment);
+        for p in self.open_pairs_of(a) {
+            add_moment(&mut moment, p.offset, p.gradient);
+        }
+        self.full_correction[a] = inverse(&moment);
+        self.imbalance[a] = [0.0; 2];
+        true
     }
 
     fn add_pairs(
@@ -201,7 +259,7 @@ impl Reference {
 
     /// A moment is near the unit matrix inside and near half of it at a free edge, a quarter in a free corner.
     fn checked_inverse(&self, a: usize, moment: &Mat2) -> Result<Mat2, SolidError> {
-        if determinant(moment) > 0.01 {
+        if determinant(moment) > LEAST_MOMENT {
             Ok(inverse(moment))
         } else {
             Err(SolidError::TooFewNeighbours {

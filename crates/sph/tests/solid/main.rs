@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // a failed test may panic
 
 mod bodies;
+mod damage;
 mod dynamics;
 mod equilibrium;
 mod kinematics;

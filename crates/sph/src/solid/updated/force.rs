@@ -85,7 +85,8 @@ impl Solid {
             .collect();
         self.scratch.viscous.clear();
         for (a, (total, viscous)) in both.into_iter().enumerate() {
-            self.state.acceleration[a] = total;
+            let here = self.state.removed[a] == 0.0;
+            self.state.acceleration[a] = if here { total } else { [0.0; 2] };
             self.scratch.viscous.push(viscous);
         }
     }

@@ -6,6 +6,9 @@ use crate::fluid::ghosts::Plane;
 use crate::geometry::Vec2;
 use erode_physics::Sym3;
 
+/// Place of removed particles and their images: no pair finds them there.
+const NOWHERE: Vec2 = [f64::NAN; 2];
+
 /// Tangent plane of a face at a point, with the outward normal of the body.
 fn tangent_plane(block: &Block, surface: &Surface, j: usize) -> Plane {
     let normal = outward_normal(block, surface, j);
@@ -83,12 +86,17 @@ impl Solid {
     pub(super) fn place_moving(&mut self) {
         let (present, state, block) = (&mut self.present, &self.state, &self.block);
         present.position.clone_from(&state.position);
+        for (x, removed) in present.position.iter_mut().zip(&state.removed) {
+            if *removed != 0.0 {
+                *x = NOWHERE;
+            }
+        }
         present.velocity.clone_from(&state.velocity);
         for placed in &present.images[..present.mirrors] {
             let b = placed.image.source as usize;
             present
                 .position
-                .push(placed.image.place(block, state.position[b]));
+                .push(placed.image.place(block, present.position[b]));
             present.velocity.push(placed.image.turn(state.velocity[b]));
         }
     }
@@ -97,7 +105,7 @@ impl Solid {
     pub(super) fn place_open(&mut self) {
         let (present, block, surfaces) = (&mut self.present, &self.block, &self.surfaces);
         for placed in &present.images[present.mirrors..] {
-            let mut x = self.state.position[placed.image.source as usize];
+            let mut x = present.position[placed.image.source as usize];
             for (s, j) in placed.point.into_iter().flatten() {
                 x = tangent_plane(block, &surfaces[s], j).mirror(x);
             }

@@ -137,7 +137,11 @@ impl Present {
         let valid = self.list_position.len() == self.position.len()
             && (self.position.iter().zip(&self.list_position))
                 .zip(&self.smoothing_length)
-                .all(|((x, y), h)| (x[0] - y[0]).hypot(x[1] - y[1]) < 0.5 * SKIN * SUPPORT * h);
+                .all(|((x, y), h)| {
+                    // Removed particles are nowhere; their pairs are out of reach.
+                    let moved = (x[0] - y[0]).hypot(x[1] - y[1]);
+                    moved.is_nan() || moved < 0.5 * SKIN * SUPPORT * h
+                });
         if !valid {
             self.list = Neighbours::build(&self.position, &self.smoothing_length, particles, SKIN);
             self.list_position.clone_from(&self.position);
