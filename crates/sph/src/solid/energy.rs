@@ -1,6 +1,6 @@
 //! Energy ledger of a solid.
 //!
-//! kinetic + elastic + plastic work + viscous + hourglass = work of pressure + work of absorbing faces.
+//! kinetic + elastic + plastic work + viscous + hourglass + damping = work of pressure, driven and absorbing faces.
 //! The work of a face is taken at its deformed surface points, where the liquid sees it.
 
 use super::{Face, Solid};
@@ -53,7 +53,10 @@ impl Solid {
     #[must_use]
     pub fn energy_defect(&self) -> f64 {
         let w = self.state.work;
-        self.energy().total() + w.viscous + w.hourglass - w.pressure - w.absorbing
+        self.energy().total() + w.viscous + w.hourglass + w.damping
+            - w.pressure
+            - w.driving
+            - w.absorbing
     }
 
     /// Adds the work of one step to the ledger and moves the surface points along; call it after the closing kick of
@@ -66,15 +69,17 @@ impl Solid {
                 .map(|((a, v), m)| m * (a[0] * v[0] + a[1] * v[1]))
                 .sum()
         };
+        let (viscous, hourglass) = (power(&self.scratch.viscous), power(&self.scratch.hourglass));
         let work = &mut self.state.work;
-        work.viscous -= dt * power(&self.scratch.viscous);
-        work.hourglass -= dt * power(&self.scratch.hourglass);
+        work.viscous -= dt * viscous;
+        work.hourglass -= dt * hourglass;
         for surface in &self.surfaces {
             let work = match surface.face {
-                Face::Absorbing => &mut work.absorbing,
-                _ => &mut work.pressure,
+                Face::Absorbing => &mut self.state.work.absorbing,
+                _ => &mut self.state.work.pressure,
             };
-            *work += dt * surface.power();
+            *work += dt * surface.power(false);
+            self.state.work.driving += dt * surface.power(true);
         }
     }
 }
