@@ -156,7 +156,7 @@ impl Scratch {
 impl Solid {
     /// Positions of particles and mirror images for the gather loops.
     pub(super) fn place_images(&mut self) {
-        let (reference, surfaces) = (&self.reference, &self.surfaces);
+        let (reference, surfaces, block) = (&self.reference, &self.surfaces, &self.block);
         let position = &mut self.scratch.position;
         position.clear();
         position.extend_from_slice(&self.state.position);
@@ -164,7 +164,7 @@ impl Solid {
             let b = image.source as usize;
             let (x, start) = (self.state.position[b], reference.position[b]);
             let u = [x[0] - start[0], x[1] - start[1]];
-            let u = image.turn(u, surfaces, |wall| wall.displacement);
+            let u = image.displacement(block, surfaces, start, u);
             position.push([place[0] + u[0], place[1] + u[1]]);
         }
     }
@@ -175,7 +175,7 @@ impl Solid {
         velocity.extend_from_slice(&self.state.velocity);
         for image in &self.reference.mirror_images {
             let v = self.state.velocity[image.source as usize];
-            velocity.push(image.turn(v, &self.surfaces, |wall| wall.velocity));
+            velocity.push(image.velocity(&self.surfaces, v));
         }
     }
 
@@ -288,8 +288,10 @@ impl Solid {
         let scratch = &mut self.scratch;
         for image in &reference.mirror_images {
             scratch.flux.push(at(image));
-            let f = state.deformation[image.source as usize];
-            scratch.deformation.push(image.deformation(f, surfaces));
+            let b = image.source as usize;
+            let (x, f) = (state.position[b], state.deformation[b]);
+            let f = image.deformation(block, surfaces, x, f);
+            scratch.deformation.push(f);
         }
         scratch.open_flux.clear();
         scratch

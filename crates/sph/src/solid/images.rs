@@ -4,8 +4,10 @@
 //! absorbing face only carries a stress into the force. Corners have double images. In axisymmetry the radius of an
 //! image at the axis is negative, so that R P runs smoothly through the axis (no correction function is needed there).
 //!
-//! Displacement u' of an image from its reference place, for a face that moves by U (zero where nothing is prescribed):
-//! mirror and slip u'_n = 2 U_n - u_n, u'_t = u_t; bonded u' = 2 U - u. Velocities the same.
+//! Place x' of an image for a face that moves by U(X_t) (zero where nothing is prescribed), with slope s = dU_n/dX_t:
+//! mirror: u'_n = -u_n, u'_t = u_t; bonded: u' = 2 U - u, velocities the same;
+//! slip: the particle is mirrored in the tangent of the moved face, x' = x + 2 g n/(1 + s^2), g = X_face + U_n - x_n,
+//! n = 1 along the normal axis and -s along the face, so that normals stay normal and no shear arises from the slope.
 
 use super::block::{Block, Reflection, Side};
 use super::mat2::{Mat2, mirrored, product, scaled};
@@ -40,6 +42,26 @@ pub(super) fn wall_at(surfaces: &[Surface], side: Side, particle: u32) -> Wall {
         .map_or(Wall::default(), |s| s.wall_at(particle))
 }
 
+impl Wall {
+    /// The same as seen after reflections; n is the normal axis of the face.
+    fn turned(mut self, turned: [f64; 2], n: usize) -> Self {
+        let t = 1 - n;
+        for i in 0..2 {
+            self.displacement[i] *= turned[i];
+            self.velocity[i] *= turned[i];
+            self.slope[i] *= turned[i] * turned[t];
+        }
+        self.curvature *= turned[n];
+        self
+    }
+
+    /// Slope s of the normal displacement and 1/(1 + s^2).
+    fn tilt(&self, n: usize) -> (f64, f64) {
+        let s = self.slope[n];
+        (s, 1.0 / (1.0 + s * s))
+    }
+}
+
 impl Image {
     pub(super) fn steps(&self) -> impl Iterator<Item = Step> {
         self.steps.into_iter().flatten()
@@ -59,28 +81,59 @@ impl Image {
         self.steps().fold(point, |p, s| block.reflect(s.side, p))
     }
 
-    /// Displacement or velocity of the image, from that of its particle; `wall` picks the same of a face.
-    pub(super) fn turn(
+    /// Displacement of the image from its reference place, from that of its particle, which was at `start`.
+    pub(super) fn displacement(
         &self,
-        mut vector: Vec2,
+        block: &Block,
         surfaces: &[Surface],
-        wall: impl Fn(Wall) -> Vec2,
+        start: Vec2,
+        mut u: Vec2,
     ) -> Vec2 {
         let mut turned = [1.0, 1.0];
         for step in self.steps() {
-            let n = step.side.normal_axis();
-            let moved = match step.how {
-                Reflection::Mirror | Reflection::Open => [0.0; 2],
-                _ => wall(wall_at(surfaces, step.side, self.source)),
-            };
-            vector[n] = 2.0 * turned[n] * moved[n] - vector[n];
-            if step.how == Reflection::Bonded {
-                let t = 1 - n;
-                vector[t] = 2.0 * turned[t] * moved[t] - vector[t];
+            let (n, t) = (step.side.normal_axis(), 1 - step.side.normal_axis());
+            match step.how {
+                Reflection::Mirror | Reflection::Open => u[n] = -u[n],
+                Reflection::Slip => {
+                    let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
+                    let distance = block.coordinate(step.side) - start[n];
+                    let gap = distance + wall.displacement[n] - u[n];
+                    let (s, k) = wall.tilt(n);
+                    u[n] += 2.0 * (gap * k - distance);
+                    u[t] -= 2.0 * gap * k * s;
+                }
+                Reflection::Bonded => {
+                    let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
+                    u = [0, 1].map(|i| 2.0 * wall.displacement[i] - u[i]);
+                }
             }
             turned[n] *= -1.0;
         }
-        vector
+        u
+    }
+
+    /// Velocity of the image, from that of its particle (the turning of a tilted face left out).
+    pub(super) fn velocity(&self, surfaces: &[Surface], mut v: Vec2) -> Vec2 {
+        let mut turned = [1.0, 1.0];
+        for step in self.steps() {
+            let (n, t) = (step.side.normal_axis(), 1 - step.side.normal_axis());
+            match step.how {
+                Reflection::Mirror | Reflection::Open => v[n] = -v[n],
+                Reflection::Slip => {
+                    let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
+                    let (s, k) = wall.tilt(n);
+                    let approach = 2.0 * k * (wall.velocity[n] - v[n]);
+                    v[n] += approach;
+                    v[t] -= approach * s;
+                }
+                Reflection::Bonded => {
+                    let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
+                    v = [0, 1].map(|i| 2.0 * wall.velocity[i] - v[i]);
+                }
+            }
+            turned[n] *= -1.0;
+        }
+        v
     }
 
     /// S M S for every reflection.
@@ -88,21 +141,34 @@ impl Image {
         self.steps().fold(m, |m, _| mirrored(&m))
     }
 
-    /// Deformation gradient of the image.
-    pub(super) fn deformation(&self, mut f: Mat2, surfaces: &[Surface]) -> Mat2 {
+    /// Deformation gradient of the image: the derivative of its place by its reference place.
+    pub(super) fn deformation(
+        &self,
+        block: &Block,
+        surfaces: &[Surface],
+        place: Vec2,
+        mut f: Mat2,
+    ) -> Mat2 {
         let mut turned = [1.0, 1.0];
         for step in self.steps() {
             let (n, t) = (step.side.normal_axis(), 1 - step.side.normal_axis());
-            if matches!(step.how, Reflection::Mirror | Reflection::Open) {
-                f = mirrored(&f);
-            } else {
-                let slope = wall_at(surfaces, step.side, self.source).slope;
-                let along = [0, 1].map(|i| 2.0 * turned[i] * turned[t] * slope[i]);
-                f[n][t] = along[n] - f[n][t];
-                if step.how == Reflection::Bonded {
-                    f[t][t] = 2.0 + along[t] - f[t][t];
-                } else {
-                    f[t][n] = -f[t][n];
+            match step.how {
+                Reflection::Mirror | Reflection::Open => f = mirrored(&f),
+                Reflection::Slip => {
+                    let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
+                    let gap = block.coordinate(step.side) + wall.displacement[n] - place[n];
+                    let (s, k) = wall.tilt(n);
+                    let change = -2.0 * s * wall.curvature * k * k;
+                    let rise = s - f[n][t];
+                    f[t][t] -= 2.0 * (s * k * rise + gap * (k * wall.curvature + change * s));
+                    f[t][n] = -f[t][n] - 2.0 * k * s * f[n][n];
+                    f[n][t] += 2.0 * (k * rise + gap * change);
+                    f[n][n] *= 2.0 * k - 1.0;
+                }
+                Reflection::Bonded => {
+                    let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
+                    f[n][t] = 2.0 * wall.slope[n] - f[n][t];
+                    f[t][t] = 2.0 + 2.0 * wall.slope[t] - f[t][t];
                 }
             }
             turned[n] *= -1.0;
@@ -167,7 +233,8 @@ pub(super) fn reflected_weight(axisymmetric: bool, side: Side, block: &Block, we
 impl Flux {
     /// R P L at an image of the particle.
     ///
-    /// Mirror faces and faces driven along their normal: P_rz, P_zr odd. Bonded faces: P even. Open faces: the traction
+    /// Mirror faces: P_rz, P_zr odd. Faces driven along their normal: P_rz odd, P_zr odd about s (P_rr + P_zz), which it is on
+    /// a tilted face without shear. Bonded faces: P even. Open faces: the traction
     /// column of R P is odd about the given traction, (R P)' N = 2 R t - (R P) N, and so is its partner beside the
     /// diagonal; the other diagonal part of P is even. The odd partner costs the exact balance of momentum where shear
     /// varies along the face, but an even one (which keeps it) takes 8 % off the plastic strain under a Gaussian pressure
@@ -187,8 +254,15 @@ impl Flux {
             let ratio = weight / self.weight;
             self.correction = mirrored(&self.correction);
             match step.how {
-                Reflection::Mirror | Reflection::Slip => {
+                Reflection::Mirror => {
                     self.flux = scaled(&mirrored(&self.flux), ratio);
+                    turned[axis] *= -1.0;
+                }
+                Reflection::Slip => {
+                    let wall = wall_at(surfaces, side, image.source).turned(turned, axis);
+                    let normal = self.flux[0][0] + self.flux[1][1];
+                    self.flux = scaled(&mirrored(&self.flux), ratio);
+                    self.flux[axis][1 - axis] += 2.0 * ratio * wall.slope[axis] * normal;
                     turned[axis] *= -1.0;
                 }
                 Reflection::Bonded => {

@@ -63,6 +63,8 @@ pub(super) struct Wall {
     pub(super) velocity: Vec2,
     /// Derivative of the displacement along the face.
     pub(super) slope: Vec2,
+    /// Second derivative of the normal displacement along the face, 1/m.
+    pub(super) curvature: f64,
 }
 
 const NO_POINT: u32 = u32::MAX;
@@ -257,10 +259,11 @@ impl Surface {
                 displacement,
                 velocity,
                 slope: [0.0; 2],
+                curvature: 0.0,
             };
         }
         for j in 0..self.wall.len() {
-            self.wall[j].slope = self.slope(j);
+            (self.wall[j].slope, self.wall[j].curvature) = self.slope(j);
         }
     }
 
@@ -270,8 +273,8 @@ impl Surface {
         self.driven.iter().filter(|d| **d).count()
     }
 
-    /// Derivative of the prescribed displacement along the face.
-    fn slope(&self, j: usize) -> Vec2 {
+    /// First derivatives of the prescribed displacement along the face and second one of its normal component.
+    fn slope(&self, j: usize) -> (Vec2, f64) {
         let (n, along) = (self.wall.len(), 1 - self.side.normal_axis());
         let at = |i: usize| (self.reference_position[i][along], self.wall[i].displacement);
         let driven = |i: usize| i < n && self.driven[i];
@@ -295,9 +298,22 @@ impl Surface {
         };
         let length = after.0 - before.0;
         if !self.driven[j] || length == 0.0 {
-            return [0.0; 2];
+            return ([0.0; 2], 0.0);
         }
-        [0, 1].map(|k| (after.1[k] - before.1[k]) / length)
+        let normal = self.side.normal_axis();
+        let rise = |a: (f64, Vec2), b: (f64, Vec2)| {
+            if a.0 == b.0 {
+                None
+            } else {
+                Some((b.1[normal] - a.1[normal]) / (b.0 - a.0))
+            }
+        };
+        let curvature = match (rise(before, here), rise(here, after)) {
+            (Some(first), Some(second)) => 2.0 * (second - first) / length,
+            _ => 0.0,
+        };
+        let slope = [0, 1].map(|k| (after.1[k] - before.1[k]) / length);
+        (slope, curvature)
     }
 
     /// Prescribed motion where a particle is reflected.
@@ -313,6 +329,7 @@ impl Surface {
             displacement: mean(one.displacement, two.displacement),
             velocity: mean(one.velocity, two.velocity),
             slope: mean(one.slope, two.slope),
+            curvature: one.curvature + share * (two.curvature - one.curvature),
         }
     }
 

@@ -94,10 +94,10 @@ impl Solid {
             let b = placed.image.source as usize;
             let image = placed.image;
             let u = [0, 1].map(|i| state.position[b][i] - start[b][i]);
-            let u = image.turn(u, surfaces, |wall| wall.displacement);
+            let u = image.displacement(block, surfaces, start[b], u);
             let x = image.place(block, start[b]);
             present.position.push([x[0] + u[0], x[1] + u[1]]);
-            let v = image.turn(state.velocity[b], surfaces, |wall| wall.velocity);
+            let v = image.velocity(surfaces, state.velocity[b]);
             present.velocity.push(v);
         }
     }
