@@ -1,6 +1,7 @@
 //! Energy ledger of a solid.
 //!
-//! kinetic + elastic + plastic work + damage work + lost + viscous + hourglass = work of pressure + work of absorbing faces.
+//! kinetic + elastic + plastic work + damage work + lost + viscous + hourglass + damping
+//!     = work of pressure, driven and absorbing faces.
 //! The work of a face is taken at its deformed surface points, where the liquid sees it.
 
 use super::{Face, Solid};
@@ -71,10 +72,14 @@ impl Solid {
     pub fn energy_defect(&self) -> f64 {
         let w = self.state.work;
         let lost = w.lost.kinetic + w.lost.elastic;
-        self.energy().total() + lost + w.viscous + w.hourglass - w.pressure - w.absorbing
+        self.energy().total() + lost + w.viscous + w.hourglass + w.damping
+            - w.pressure
+            - w.driving
+            - w.absorbing
     }
 
-    /// Adds the work of one step to the ledger, takes out failed material and moves the surface points along; call it after the closing kick of
+    /// Adds the work of one step to the ledger, moves the surface points along and takes out what failed; call it after the
+    /// closing kick of
     /// a kick-drift-kick step of length `dt` (s), whose velocities make the powers second order in time.
     pub fn account(&mut self, dt: f64) {
         self.follow_surfaces();
@@ -84,15 +89,17 @@ impl Solid {
                 .map(|((a, v), m)| m * (a[0] * v[0] + a[1] * v[1]))
                 .sum()
         };
+        let (viscous, hourglass) = (power(&self.scratch.viscous), power(&self.scratch.hourglass));
         let work = &mut self.state.work;
-        work.viscous -= dt * power(&self.scratch.viscous);
-        work.hourglass -= dt * power(&self.scratch.hourglass);
+        work.viscous -= dt * viscous;
+        work.hourglass -= dt * hourglass;
         for surface in &self.surfaces {
             let work = match surface.face {
-                Face::Absorbing => &mut work.absorbing,
-                _ => &mut work.pressure,
+                Face::Absorbing => &mut self.state.work.absorbing,
+                _ => &mut self.state.work.pressure,
             };
-            *work += dt * surface.power();
+            *work += dt * surface.power(false);
+            self.state.work.driving += dt * surface.power(true);
         }
         self.remove_failed();
     }

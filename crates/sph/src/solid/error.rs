@@ -60,6 +60,20 @@ pub enum SolidError {
         /// The face.
         side: Side,
     },
+    /// An indenter that cannot press on the body.
+    #[error("the indenter is not usable: {why}")]
+    BadIndenter {
+        /// The rule it breaks.
+        why: String,
+    },
+    /// A driven part without points.
+    #[error(
+        "no point of the {side:?} face lies in its driven part; the part must hold at least one particle of the first row"
+    )]
+    NothingDriven {
+        /// The face.
+        side: Side,
+    },
     /// A face whose particles cannot carry the traction.
     #[error(
         "the particles under the {side:?} face near {position:?} m take up {share} of its traction, not about 1: the \

@@ -13,7 +13,9 @@ mod error;
 mod failure;
 mod force;
 mod images;
+mod indenter;
 mod mat2;
+mod quasi_static;
 mod reference;
 mod search;
 mod state;
@@ -22,10 +24,12 @@ mod stress;
 mod surface;
 pub mod updated;
 
-pub use block::{Block, Face, Side};
+pub use block::{Block, Driven, Face, Side, Tangential};
 pub use energy::Energy;
 pub use error::SolidError;
+pub use indenter::Indenter;
 pub use mat2::Mat2;
+pub use quasi_static::{QuasiStatic, Share, smoothstep};
 pub use reference::Reference;
 pub use state::{FAILED, Field, LOOSE, Lost, State, Work};
 pub use step::StepLimit;
@@ -96,8 +100,10 @@ pub struct Solid {
     pub reference: Reference,
     /// What changes with time; replace it by a checkpoint's to resume (then call [`Self::follow_surfaces`]).
     pub state: State,
-    /// Traction and absorbing faces.
+    /// Traction, absorbing and driven faces.
     pub surfaces: Vec<Surface>,
+    /// A rigid body that presses on a traction face; its motion is set by the caller.
+    pub indenter: Option<Indenter>,
     scratch: force::Scratch,
     /// Used by the published form alone.
     present: updated::Present,
@@ -160,9 +166,10 @@ impl Solid {
             material,
             damage: Damage::None,
             numerics,
+            scratch: force::Scratch::of(&reference, &surfaces),
             reference,
             surfaces,
-            scratch: force::Scratch::default(),
+            indenter: None,
             present,
         };
         solid.follow_surfaces();
@@ -213,6 +220,11 @@ impl Solid {
             return self.arrange();
         }
         self.move_images();
+        self.follow_moved_surfaces();
+    }
+
+    /// The same with the images where they are.
+    fn follow_moved_surfaces(&mut self) {
         let (reference, velocity) = (&self.reference, &self.scratch.velocity);
         for surface in &mut self.surfaces {
             surface.follow_position(reference, &self.state);

@@ -4,7 +4,7 @@
 //! the constant 1/1.0105 of the cubic spline. Deformation gradient: L_own, the same over real particles and mirror
 //! images only, so that it is exact for linear fields at free faces too.
 
-use super::block::{Block, Side};
+use super::block::{Block, Reflection, Side};
 use super::images::Image;
 use super::mat2::{Mat2, determinant, inverse};
 use super::search::Cloud;
@@ -63,6 +63,8 @@ pub struct Reference {
     /// R in axisymmetry, 1 in plane strain.
     pub(super) weight: Vec<f64>,
     pub(super) mirror_images: Vec<Image>,
+    /// Where the mirror images were at the start, m.
+    pub(super) image_position: Vec<Vec2>,
     pub(super) open_images: Vec<Image>,
     pub(super) full_correction: Vec<Mat2>,
     pub(super) own_correction: Vec<Mat2>,
@@ -103,6 +105,7 @@ impl Reference {
             smoothing_length: h,
             volume,
             mirror_images: Vec::new(),
+            image_position: cloud.points[cloud.particles..][..cloud.mirror_images.len()].to_vec(),
             open_images: Vec::new(),
             full_correction: Vec::new(),
             own_correction: Vec::new(),
@@ -235,7 +238,7 @@ impl Reference {
 
     fn in_first_row(&self, block: &Block, a: usize) -> bool {
         Side::ALL.into_iter().any(|side| {
-            !block.face(side).mirrors()
+            block.reflection(side, self.position[a]) == Reflection::Open
                 && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
         })
     }

@@ -51,7 +51,7 @@ impl Cloud {
 
     fn new(block: &Block, position: &[Vec2], h: &[f64], images: Vec<Image>) -> Self {
         let (mirror_images, open_images): (Vec<_>, Vec<_>) =
-            images.into_iter().partition(|i| i.is_mirror(block));
+            images.into_iter().partition(Image::is_mirror);
         let mut points = position.to_vec();
         let mut source: Vec<u32> = (0..position.len() as u32).collect();
         for image in mirror_images.iter().chain(&open_images) {

@@ -67,8 +67,14 @@ pub struct Lost {
 /// Work since the start, J (of the whole ring in axisymmetry, per metre in plane strain).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
-    /// Done on the solid by the pressure on its traction faces.
+    /// Done on the solid by the pressure on its traction faces and by an indenter.
     pub pressure: f64,
+    /// Done on the solid by its driven faces.
+    #[serde(default)]
+    pub driving: f64,
+    /// Taken out by mass damping.
+    #[serde(default)]
+    pub damping: f64,
     /// Done on the solid by its absorbing faces (negative: energy that left).
     pub absorbing: f64,
     /// Dissipated by the artificial viscosity.
