@@ -52,6 +52,17 @@ pub enum SolidError {
         /// Neighbours and mirror images found.
         neighbours: usize,
     },
+    /// The reference configuration cannot be renewed.
+    #[error(
+        "the reference configuration cannot be renewed: {why} ({side:?} face); all faces must be free, without pressure or \
+         indenter, symmetric or the axis"
+    )]
+    NotRenewable {
+        /// The face.
+        side: Side,
+        /// What is in the way.
+        why: String,
+    },
     /// No particle near a face.
     #[error(
         "no particle lies within three quarters of its spacing of the {side:?} face of the solid"

@@ -92,7 +92,7 @@ impl Scratch {
     }
 
     /// Acceleration of a particle by one of its real or mirrored neighbours.
-    fn by(&self, reference: &Reference, density: f64, a: usize, p: &Pair) -> Vec2 {
+    fn by(&self, reference: &Reference, a: usize, p: &Pair) -> Vec2 {
         let b = p.neighbour as usize;
         let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
         let d = [0, 1].map(|i| self.position[a][i] - self.position[b][i]);
@@ -104,11 +104,11 @@ impl Scratch {
             combine(&self.deformation[a], 0.5, &self.deformation[b], 0.5),
         );
         let (force, linear) = (apply(&q, g), apply(&f, p.offset));
-        let scale = 1.0 / (density * reference.weight[a]);
+        let scale = 1.0 / (reference.density[a] * reference.weight[a]);
         [0, 1].map(|i| force[i] * scale + approach * d[i] + p.hourglass * (linear[i] - d[i]))
     }
 
-    fn acceleration(&self, reference: &Reference, density: f64, a: usize) -> Parts {
+    fn acceleration(&self, reference: &Reference, a: usize) -> Parts {
         let (x, v, f, q) = (
             self.position[a],
             self.velocity[a],
@@ -147,7 +147,7 @@ impl Scratch {
         let imbalance = apply(q, reference.imbalance[a]);
         force[0] -= imbalance[0] + self.hoop[a];
         force[1] -= imbalance[1];
-        let scale = 1.0 / (density * reference.weight[a]);
+        let scale = 1.0 / (reference.density[a] * reference.weight[a]);
         parts.total = [0, 1].map(|i| force[i] * scale + parts.viscous[i] + parts.hourglass[i]);
         parts
     }
@@ -195,13 +195,13 @@ impl Solid {
         let mut hourglass = std::mem::take(&mut self.scratch.hourglass);
         viscous.resize(self.len(), [0.0; 2]);
         hourglass.resize(self.len(), [0.0; 2]);
-        let (scratch, reference, density) = (&self.scratch, &self.reference, self.material.density);
+        let (scratch, reference) = (&self.scratch, &self.reference);
         (&mut self.state.acceleration, &mut viscous, &mut hourglass)
             .into_par_iter()
             .enumerate()
             .with_min_len(TASK)
             .for_each(|(a, (total, viscous, hourglass))| {
-                let parts = scratch.acceleration(reference, density, a);
+                let parts = scratch.acceleration(reference, a);
                 (*total, *viscous, *hourglass) = (parts.total, parts.viscous, parts.hourglass);
             });
         (self.scratch.viscous, self.scratch.hourglass) = (viscous, hourglass);
@@ -219,7 +219,7 @@ impl Solid {
         for d in &scratch.driven {
             let (a, j) = (d.particle as usize, d.point as usize);
             let pair = &reference.pairs_of(a)[d.pair as usize];
-            let acceleration = scratch.by(reference, self.material.density, a, pair);
+            let acceleration = scratch.by(reference, a, pair);
             let surface = &mut self.surfaces[d.surface as usize];
             let share = reference.mass[a] / surface.area[j];
             for (t, acceleration) in surface.traction[j].iter_mut().zip(acceleration) {

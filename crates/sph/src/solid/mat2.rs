@@ -52,12 +52,24 @@ pub(super) fn mirrored(m: &Mat2) -> Mat2 {
 
 /// Smallest principal stretch of a deformation gradient: its smaller singular value.
 pub(super) fn smallest_stretch(f: &Mat2) -> f64 {
+    let [sum, difference] = singular_values(f);
+    0.5 * (sum - difference)
+}
+
+/// Largest principal stretch of a deformation gradient.
+pub(super) fn largest_stretch(f: &Mat2) -> f64 {
+    let [sum, difference] = singular_values(f);
+    0.5 * (sum + difference)
+}
+
+/// Sum and difference of the singular values.
+fn singular_values(f: &Mat2) -> Vec2 {
     let square = f.iter().flatten().map(|x| x * x).sum::<f64>();
     let j = determinant(f);
     // (s1 + s2)^2 = square + 2 |j|, (s1 - s2)^2 = square - 2 |j|.
     let sum = (square + 2.0 * j.abs()).sqrt();
     let difference = (square - 2.0 * j.abs()).max(0.0).sqrt();
-    0.5 * (sum - difference)
+    [sum, difference]
 }
 
 #[cfg(test)]
@@ -70,6 +82,7 @@ mod tests {
         let turn = [[c, -s], [s, c]];
         let f = product(&turn, &product(&[[1.8, 0.0], [0.0, 0.3]], &turn));
         assert!((smallest_stretch(&f) - 0.3).abs() < 1e-14);
+        assert!((largest_stretch(&f) - 1.8).abs() < 1e-14);
         assert!((smallest_stretch(&UNIT) - 1.0).abs() < 1e-14);
     }
 }

@@ -17,6 +17,7 @@ mod indenter;
 mod mat2;
 mod quasi_static;
 mod reference;
+mod renewal;
 mod search;
 mod state;
 mod step;
@@ -31,12 +32,14 @@ pub use indenter::Indenter;
 pub use mat2::Mat2;
 pub use quasi_static::{QuasiStatic, Share, smoothstep};
 pub use reference::Reference;
+pub use renewal::Base;
 pub use state::{FAILED, Field, LOOSE, Lost, State, Work};
 pub use step::StepLimit;
 pub use surface::Surface;
 
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
+use reference::Layout;
 use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
 use serde::{Deserialize, Serialize};
@@ -57,6 +60,10 @@ pub struct Numerics {
     pub courant: f64,
     /// Discrete form.
     pub formulation: Formulation,
+    /// The present configuration becomes the reference when a particle is stretched or compressed by this factor in the
+    /// plane since the last time (total Lagrangian form, see `renewal.rs`); never when absent.
+    #[serde(default)]
+    pub renewal: Option<f64>,
 }
 
 /// Discrete form of the solid.
@@ -79,6 +86,7 @@ impl Default for Numerics {
             hourglass: 0.1,
             courant: 0.4,
             formulation: Formulation::default(),
+            renewal: None,
         }
     }
 }
@@ -98,7 +106,7 @@ pub struct Solid {
     pub numerics: Numerics,
     /// Reference configuration.
     pub reference: Reference,
-    /// What changes with time; replace it by a checkpoint's to resume (then call [`Self::follow_surfaces`]).
+    /// What changes with time; replace it by a checkpoint's to resume (then call [`Self::take_up`]).
     pub state: State,
     /// Traction, absorbing and driven faces.
     pub surfaces: Vec<Surface>,
@@ -142,7 +150,8 @@ impl Solid {
             position,
             area,
         } = setup;
-        let mut reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
+        let layout = Layout::first(geometry, &material, &numerics, position, area);
+        let mut reference = Reference::new(geometry, &block, &material, &numerics, layout)?;
         let surfaces = Side::ALL
             .into_iter()
             .filter(|&side| !block.face(side).mirrors())
@@ -188,10 +197,13 @@ impl Solid {
         self.len() == 0
     }
 
-    /// J = present volume / reference volume of a particle.
+    /// J = present volume / volume in the first configuration of a particle.
     #[must_use]
     pub fn volume_ratio(&self, particle: usize) -> f64 {
-        mat2::determinant(&self.state.deformation[particle]) * self.state.hoop_stretch[particle]
+        let f = &self.state.deformation[particle];
+        self.reference.volume_ratio[particle]
+            * mat2::determinant(f)
+            * self.state.hoop_stretch[particle]
     }
 
     /// Density of a particle, kg/m3.

@@ -1,6 +1,7 @@
 //! What changes with time in a solid: everything a checkpoint has to keep.
 
 use super::mat2::{Mat2, UNIT};
+use super::renewal::Base;
 use crate::geometry::Vec2;
 use erode_physics::Sym3;
 use serde::{Deserialize, Serialize};
@@ -36,6 +37,9 @@ pub struct State {
     pub damage_work: Vec<f64>,
     /// 0 in the body, [`FAILED`] taken out by damage, [`LOOSE`] taken out because too little held it.
     pub removed: Vec<f64>,
+    /// The reference configuration after a renewal.
+    #[serde(default)]
+    pub base: Option<Base>,
     /// Work done so far.
     pub work: Work,
 }
@@ -117,6 +121,7 @@ impl State {
             damage: vec![0.0; n],
             damage_work: vec![0.0; n],
             removed: vec![0.0; n],
+            base: None,
             work: Work::default(),
         }
     }

@@ -19,7 +19,7 @@ pub struct StepLimit {
 }
 
 impl Solid {
-    /// Courant number x spacing / longitudinal wave speed of the reference configuration.
+    /// Courant number x spacing / longitudinal wave speed of the first configuration.
     ///
     /// Waves cross a compressed spacing sooner: beyond [`ROOM`] the spacing counts as compressed by the smallest stretch
     /// in the plane. Removed particles do not count.
@@ -27,8 +27,8 @@ impl Solid {
     pub fn stable_time_step(&self) -> StepLimit {
         let s = &self.state;
         let spacing = |a: usize| {
-            let stretch = smallest_stretch(&s.deformation[a]) / ROOM;
-            self.reference.area[a].sqrt() * stretch.min(1.0)
+            let stretch = smallest_stretch(&self.total_deformation(a)) / ROOM;
+            self.reference.first_area[a].sqrt() * stretch.min(1.0)
         };
         let (particle, smallest) = (0..self.len())
             .filter(|&a| s.removed[a] == 0.0)

@@ -88,10 +88,10 @@ impl Point<'_> {
         f: Mat2,
         hoop: f64,
         dt: f64,
-        (material, law): (&Material, &Damage),
+        (material, law, first): (&Material, &Damage, f64),
     ) -> Result<(), Failure> {
-        let old_j = determinant(self.deformation) * *self.hoop_stretch;
-        let j = determinant(&f) * hoop;
+        let old_j = first * determinant(self.deformation) * *self.hoop_stretch;
+        let j = first * determinant(&f) * hoop;
         if j.is_nan() || j <= 0.0 {
             return Err(Failure::Inverted(j));
         }
@@ -147,7 +147,7 @@ impl Solid {
     /// Brings deformation and stress to the present positions; `dt` is the time (s) since they were last there.
     ///
     /// # Errors
-    /// If a particle is turned inside out or the stress cannot be returned to the yield surface; the particle with
+    /// If the reference cannot be renewed where that is asked for, a particle is turned inside out or the stress cannot be returned to the yield surface; the particle with
     /// the smallest index is named. The state is then not usable any more.
     pub fn update_stress(&mut self, dt: f64) -> Result<(), SolidError> {
         let form = self.numerics.formulation;
@@ -155,7 +155,7 @@ impl Solid {
             Formulation::TotalLagrangian => self.place_images(),
             Formulation::Joshi(_) => self.velocity_gradients(),
         }
-        let (reference, laws) = (&self.reference, (&self.material, &self.damage));
+        let (reference, material, law) = (&self.reference, &self.material, &self.damage);
         let (position, rates) = (&self.scratch.position, &self.present.gradient);
         let axisymmetric = self.geometry == Geometry::Axisymmetric;
         let s = &mut self.state;
@@ -210,11 +210,12 @@ impl Solid {
                     Formulation::TotalLagrangian => gradient(reference, position, a),
                     Formulation::Joshi(_) => advanced(point.deformation, &rates[a], dt),
                 };
-                point.update(f, hoop, dt, laws).err().map(|e| (a, e))
+                let laws = (material, law, reference.volume_ratio[a]);
+                    point.update(f, hoop, dt, laws).err().map(|e| (a, e))
             })
             .min_by_key(|(a, _)| *a);
         match failed {
-            None => Ok(()),
+            None => self.renew_if_stretched(),
             Some((particle, Failure::Inverted(volume_ratio))) => Err(SolidError::Inverted {
                 particle,
                 position: self.state.position[particle],

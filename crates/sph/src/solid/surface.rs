@@ -48,6 +48,8 @@ pub struct Surface {
     pub(super) wall: Vec<Wall>,
     scale: Vec<f64>,
     point_of_particle: Vec<u32>,
+    /// Place of the points in the reference configuration of the particles, m.
+    pub(super) anchor: Vec<Vec2>,
     /// Share of the next point in the motion at a particle reflected in a driven part.
     share_of_next: Vec<f64>,
     /// Whether the body is mirrored at the first and the last point.
@@ -109,11 +111,13 @@ impl Surface {
             velocity: vec![[0.0; 2]; n],
             pressure: vec![0.0; n],
             traction: vec![[0.0; 2]; n],
+            anchor: Vec::new(),
             scale: vec![1.0; n],
             point_of_particle: vec![NO_POINT; reference.position.len()],
             particle,
         };
         surface.place_strips(geometry, block, reference);
+        surface.anchor.clone_from(&surface.reference_position);
         surface.find_feet(block, reference)?;
         surface.share_out(geometry, block, reference)?;
         Ok(surface)
@@ -394,7 +398,7 @@ impl Surface {
     /// Reference vector from the particle to the point, m.
     fn offset(&self, j: usize, reference: &Reference) -> Vec2 {
         let x = reference.position[self.particle[j]];
-        [0, 1].map(|k| self.reference_position[j][k] - x[k])
+        [0, 1].map(|k| self.anchor[j][k] - x[k])
     }
 
     /// Power of the traction that acted, W: at driven points (`true`) or at the others.
