@@ -39,9 +39,9 @@ pub use surface::Surface;
 
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
-use reference::Layout;
 use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
+use reference::Layout;
 use serde::{Deserialize, Serialize};
 
 /// Numerical constants of the formulation; the defaults are the ones that were measured as best.

@@ -144,7 +144,11 @@ impl Reference {
                 .map(|x| if axisymmetric { x[0] } else { 1.0 })
                 .collect(),
             volume: layout.mass.iter().map(|m| m / material.density).collect(),
-            density: layout.volume_ratio.iter().map(|j| material.density / j).collect(),
+            density: layout
+                .volume_ratio
+                .iter()
+                .map(|j| material.density / j)
+                .collect(),
             mass: layout.mass,
             volume_ratio: layout.volume_ratio,
             renewals: layout.renewals,
@@ -288,10 +292,11 @@ impl Reference {
     }
 
     fn in_first_row(&self, block: &Block, a: usize) -> bool {
-        self.renewals == 0 && Side::ALL.into_iter().any(|side| {
-            block.reflection(side, self.position[a]) == Reflection::Open
-                && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
-        })
+        self.renewals == 0
+            && Side::ALL.into_iter().any(|side| {
+                block.reflection(side, self.position[a]) == Reflection::Open
+                    && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
+            })
     }
 
     fn correct(&mut self) -> Result<(), SolidError> {

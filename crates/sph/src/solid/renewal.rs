@@ -88,8 +88,13 @@ impl Solid {
             && base.renewals != self.reference.renewals
         {
             let layout = Layout::renewed(base, &self.reference, &self.state.removed);
-            self.reference =
-                Reference::new(self.geometry, &self.block, &self.material, &self.numerics, layout)?;
+            self.reference = Reference::new(
+                self.geometry,
+                &self.block,
+                &self.material,
+                &self.numerics,
+                layout,
+            )?;
             for (surface, position) in self.surfaces.iter_mut().zip(&base.surface_position) {
                 surface.anchor.clone_from(position);
             }
@@ -137,7 +142,10 @@ impl Solid {
             return bad(indenter.side, "an indenter presses on it");
         }
         if self.numerics.formulation != Formulation::TotalLagrangian {
-            return bad(Side::Left, "the published form has no reference configuration");
+            return bad(
+                Side::Left,
+                "the published form has no reference configuration",
+            );
         }
         Ok(())
     }
@@ -147,7 +155,9 @@ impl Layout {
     /// Areas and smoothing lengths of a renewed reference.
     fn renewed(base: &Base, old: &Reference, removed: &[f64]) -> Self {
         let n = base.position.len();
-        let area = (0..n).map(|a| old.first_area[a] * determinant(&base.deformation[a])).collect();
+        let area = (0..n)
+            .map(|a| old.first_area[a] * determinant(&base.deformation[a]))
+            .collect();
         let smoothing_length = (0..n)
             .map(|a| old.first_smoothing_length[a] * largest_stretch(&base.deformation[a]))
             .collect();

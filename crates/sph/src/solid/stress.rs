@@ -211,7 +211,7 @@ impl Solid {
                     Formulation::Joshi(_) => advanced(point.deformation, &rates[a], dt),
                 };
                 let laws = (material, law, reference.volume_ratio[a]);
-                    point.update(f, hoop, dt, laws).err().map(|e| (a, e))
+                point.update(f, hoop, dt, laws).err().map(|e| (a, e))
             })
             .min_by_key(|(a, _)| *a);
         match failed {

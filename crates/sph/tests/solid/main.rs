@@ -6,5 +6,6 @@ mod damage;
 mod dynamics;
 mod equilibrium;
 mod kinematics;
+mod large_strain;
 mod ledger;
 mod updated;
