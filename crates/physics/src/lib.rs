@@ -4,6 +4,7 @@
 //! pressure is positive in compression, stress positive in tension.
 
 pub mod eos;
+pub mod load;
 pub mod material_point;
 pub mod return_mapping;
 pub mod strength;
