@@ -5,6 +5,7 @@
 
 pub mod damage;
 pub mod eos;
+pub mod load;
 pub mod material_point;
 pub mod return_mapping;
 pub mod strength;

@@ -54,7 +54,9 @@ impl Indenter {
             return [0.0; 2];
         }
         let e = d.map(|d| d / distance);
-        let deepening = -(0..2).map(|i| (v[i] - self.velocity[i]) * e[i]).sum::<f64>();
+        let deepening = -(0..2)
+            .map(|i| (v[i] - self.velocity[i]) * e[i])
+            .sum::<f64>();
         let (elastic, density) = (material.elastic, material.density);
         let impedance = density * elastic.longitudinal_speed(density);
         let pressure = self.stiffness * elastic.young_modulus * depth / width

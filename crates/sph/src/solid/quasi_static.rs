@@ -78,8 +78,14 @@ impl Solid {
     /// Mass damping over `dt` (s): velocities times exp(-rate dt). What it takes is in the ledger.
     pub fn damp(&mut self, rate: f64, dt: f64) {
         let factor = (-rate * dt).exp();
-        let squares = self.state.velocity.iter().map(|v| v[0] * v[0] + v[1] * v[1]);
-        let kinetic: f64 = (squares.zip(&self.reference.mass)).map(|(v, m)| 0.5 * m * v).sum();
+        let squares = self
+            .state
+            .velocity
+            .iter()
+            .map(|v| v[0] * v[0] + v[1] * v[1]);
+        let kinetic: f64 = (squares.zip(&self.reference.mass))
+            .map(|(v, m)| 0.5 * m * v)
+            .sum();
         for v in self.state.velocity.iter_mut().flatten() {
             *v *= factor;
         }

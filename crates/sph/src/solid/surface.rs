@@ -166,8 +166,7 @@ impl Surface {
             self.point_of_particle[b] = near as u32;
             if next < self.driven.len() && self.driven[first] && self.driven[next] {
                 self.point_of_particle[b] = first as u32;
-                self.share_of_next[b] =
-                    ((x - at(first)) / (at(next) - at(first))).clamp(0.0, 1.0);
+                self.share_of_next[b] = ((x - at(first)) / (at(next) - at(first))).clamp(0.0, 1.0);
             }
         }
         Ok(())
@@ -202,8 +201,7 @@ impl Surface {
                     reference.position[b][0]
                 };
                 let ring = geometry.ring(radius);
-                share[point[b] as usize] +=
-                    2.0 * reference.area[a] * normal * ring;
+                share[point[b] as usize] += 2.0 * reference.area[a] * normal * ring;
             }
         }
         self.point_of_particle = point;
@@ -268,6 +266,13 @@ impl Surface {
         }
         for j in 0..self.wall.len() {
             (self.wall[j].slope, self.wall[j].curvature) = self.slope(j);
+        }
+    }
+
+    /// Sets the pressure (Pa) from the place of each point on the reference face.
+    pub fn push(&mut self, pressure: impl Fn(Vec2) -> f64) {
+        for (p, x) in self.pressure.iter_mut().zip(&self.reference_position) {
+            *p = pressure(*x);
         }
     }
 
@@ -416,14 +421,22 @@ impl Surface {
     /// Force of the traction that acted, N (of the whole ring in axisymmetry, per metre in plane strain).
     #[must_use]
     pub fn force(&self) -> Vec2 {
-        let sum = |k: usize| (self.traction.iter().zip(&self.area)).map(|(t, a)| t[k] * a).sum();
+        let sum = |k: usize| {
+            (self.traction.iter().zip(&self.area))
+                .map(|(t, a)| t[k] * a)
+                .sum()
+        };
         [0, 1].map(sum)
     }
 
     /// Force of the indenter alone, N.
     #[must_use]
     pub fn contact_force(&self) -> Vec2 {
-        let sum = |k: usize| (self.contact.iter().zip(&self.area)).map(|(t, a)| t[k] * a).sum();
+        let sum = |k: usize| {
+            (self.contact.iter().zip(&self.area))
+                .map(|(t, a)| t[k] * a)
+                .sum()
+        };
         [0, 1].map(sum)
     }
 }

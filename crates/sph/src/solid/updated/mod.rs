@@ -170,11 +170,7 @@ impl Present {
 }
 
 impl Placed {
-    fn new(
-        image: Image,
-        position: &[Vec2],
-        surfaces: &[Surface],
-    ) -> Result<Self, SolidError> {
+    fn new(image: Image, position: &[Vec2], surfaces: &[Surface]) -> Result<Self, SolidError> {
         let mut point = [None; 2];
         for (k, step) in image.steps.iter().enumerate() {
             let Some(side) = step.filter(|s| s.is_open()).map(|s| s.side) else {

@@ -73,7 +73,11 @@ impl Solid {
                         sum += mass[b as usize] * kernel::value(distance, h);
                     }
                 }
-                settings.axis_correction(geometry, present.position[a][0], h).0 * sum / ring(a)
+                settings
+                    .axis_correction(geometry, present.position[a][0], h)
+                    .0
+                    * sum
+                    / ring(a)
             })
             .collect();
         for placed in &present.images {
