@@ -38,6 +38,21 @@ fn interface_wave() {
 }
 
 #[test]
+fn indentation_axisym() {
+    quick("indentation-axisym", &[]);
+}
+
+#[test]
+fn indentation_planestrain() {
+    quick("indentation-planestrain", &[]);
+}
+
+#[test]
+fn gaussian_pressure_static() {
+    quick("gaussian-pressure-static", &[]);
+}
+
+#[test]
 fn rayleigh_collapse() {
     quick("rayleigh-collapse", &[]);
 }
@@ -58,6 +73,9 @@ fn none_is_forgotten() {
         "johnson-cook-point",
         "axis-consistency",
         "interface-wave",
+        "indentation-axisym",
+        "indentation-planestrain",
+        "gaussian-pressure-static",
         "rayleigh-collapse",
         "detached-cavity",
         "attached-cavity",

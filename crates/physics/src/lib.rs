@@ -1,9 +1,11 @@
-//! Laws at a point: tensors, equations of state, elasticity, strength.
+//! Laws at a point: tensors, equations of state, elasticity, strength, damage.
 //!
 //! Pure functions and small structs; no particles, no grid, no files. SI units throughout;
 //! pressure is positive in compression, stress positive in tension.
 
+pub mod damage;
 pub mod eos;
+pub mod load;
 pub mod material_point;
 pub mod return_mapping;
 pub mod strength;

@@ -163,7 +163,12 @@ fn numerics(f: SolidFormulation, safety: f64) -> Numerics {
             ..usual
         },
         SolidFormulation::Joshi { alpha, beta, xsph } => Numerics {
-            formulation: solid::Formulation::Joshi(solid::updated::Settings { alpha, beta, xsph }),
+            formulation: solid::Formulation::Joshi(solid::updated::Settings {
+                alpha,
+                beta,
+                xsph,
+                axis_correction: true,
+            }),
             courant,
             ..usual
         },

@@ -51,7 +51,7 @@ pub(crate) fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), Ru
     Ok(())
 }
 
-fn scalars(q: &erode_sph::solid::State) -> [(&'static str, &Vec<f64>); 6] {
+fn scalars(q: &erode_sph::solid::State) -> [(&'static str, &Vec<f64>); 9] {
     [
         ("hoop_stretch", &q.hoop_stretch),
         ("von_mises", &q.von_mises),
@@ -59,6 +59,9 @@ fn scalars(q: &erode_sph::solid::State) -> [(&'static str, &Vec<f64>); 6] {
         ("plastic_strain_rate", &q.plastic_strain_rate),
         ("plastic_work", &q.plastic_work),
         ("temperature", &q.temperature),
+        ("damage", &q.damage),
+        ("damage_work", &q.damage_work),
+        ("removed", &q.removed),
     ]
 }
 
@@ -149,6 +152,9 @@ pub(crate) fn restore(
                 s.state.plastic_strain_rate = numbers("plastic_strain_rate", n)?;
                 s.state.plastic_work = numbers("plastic_work", n)?;
                 s.state.temperature = numbers("temperature", n)?;
+                s.state.damage = numbers("damage", n)?;
+                s.state.damage_work = numbers("damage_work", n)?;
+                s.state.removed = numbers("removed", n)?;
                 s.state.work = serde_json::from_value(account).map_err(wrong)?;
                 s.follow_surfaces();
             }

@@ -29,3 +29,12 @@ pub(super) fn steel() -> Result<(f64, Elastic, Strength), Failure> {
     };
     named("steel_a2205")?.solid(terms).map_err(missing)
 }
+
+/// The same without the growth of its yield stress with the strain rate.
+pub(super) fn steel_without_rate() -> Result<(f64, Elastic, Strength), Failure> {
+    let terms = Terms {
+        strain_rate: false,
+        thermal_softening: false,
+    };
+    named("steel_a2205")?.solid(terms).map_err(missing)
+}

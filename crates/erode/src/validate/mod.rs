@@ -6,8 +6,12 @@
 
 mod axis_consistency;
 mod check;
+mod columns;
 mod error;
 mod figure;
+mod gaussian_pressure_static;
+mod indentation_axisym;
+mod indentation_planestrain;
 mod interface_wave;
 mod johnson_cook_point;
 mod main_case;
@@ -15,6 +19,7 @@ mod markdown;
 mod materials;
 mod number;
 mod rayleigh_collapse;
+mod steel_lattice;
 mod table;
 
 pub use check::{Check, Kind};
@@ -82,10 +87,13 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 6] = [
+pub const ALL: [Validation; 9] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
+    indentation_axisym::VALIDATION,
+    indentation_planestrain::VALIDATION,
+    gaussian_pressure_static::VALIDATION,
     rayleigh_collapse::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,

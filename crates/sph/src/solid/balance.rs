@@ -25,9 +25,10 @@ fn columns(
 ) -> Vec2 {
     let mut weight = own;
     let mut extra = [0.0; 2];
-    for side in image.sides() {
+    for step in image.steps() {
+        let side = step.side;
         let axis = side.normal_axis();
-        if !block.face(side).mirrors() {
+        if step.is_open() {
             let on_face = if axisymmetric && axis == 0 {
                 block.coordinate(side)
             } else {

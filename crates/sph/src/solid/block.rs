@@ -42,24 +42,61 @@ impl Side {
 }
 
 /// What acts on a face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Face {
     /// Axis of rotation at r = 0: mirrored with a signed radius.
     Axis,
-    /// Rigid wall without friction: mirrored.
+    /// Rigid wall without friction (a roller): mirrored.
     Symmetry,
+    /// Rigid wall to which the body is bonded.
+    Clamped,
+    /// Moved as the caller says, see [`super::Surface::drive`].
+    Driven(Driven),
     /// Pressure given by the caller, zero at first: a free surface.
     Traction,
     /// Waves leave (see `absorbing.rs`).
     Absorbing,
 }
 
+/// A face with prescribed motion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Driven {
+    /// What happens along the face.
+    pub tangential: Tangential,
+    /// The part of the face that is driven, as first and last coordinate along it in the reference (m); the rest has
+    /// pressure given by the caller. None: the whole face.
+    pub part: Option<[f64; 2]>,
+}
+
+/// Motion along a driven face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Tangential {
+    /// Free of shear: only the normal component is prescribed.
+    Free,
+    /// Both components are prescribed.
+    Bonded,
+}
+
+/// How a particle is continued beyond a face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reflection {
+    /// Mirrored: normal motion and shear change sign.
+    Mirror,
+    /// The same about a prescribed normal motion.
+    Slip,
+    /// All motion changes sign about a prescribed one; the stress is even.
+    Bonded,
+    /// Only the traction is known.
+    Open,
+}
+
 impl Face {
-    /// Whether the particles beyond the face are mirror images that deform with the body.
+    /// Whether nothing can be prescribed on the face, so that it has no surface points.
     #[must_use]
     pub fn mirrors(self) -> bool {
-        matches!(self, Self::Axis | Self::Symmetry)
+        matches!(self, Self::Axis | Self::Symmetry | Self::Clamped)
     }
 }
 
@@ -89,6 +126,23 @@ impl Block {
             Side::Right => self.right,
             Side::Bottom => self.bottom,
             Side::Top => self.top,
+        }
+    }
+
+    /// How a particle with reference position `point` is continued beyond a face.
+    pub(super) fn reflection(&self, side: Side, point: Vec2) -> Reflection {
+        match self.face(side) {
+            Face::Axis | Face::Symmetry => Reflection::Mirror,
+            Face::Clamped => Reflection::Bonded,
+            Face::Traction | Face::Absorbing => Reflection::Open,
+            Face::Driven(driven) => {
+                let along = point[1 - side.normal_axis()];
+                match (driven.part, driven.tangential) {
+                    (Some([from, to]), _) if !(from..=to).contains(&along) => Reflection::Open,
+                    (_, Tangential::Free) => Reflection::Slip,
+                    (_, Tangential::Bonded) => Reflection::Bonded,
+                }
+            }
         }
     }
 
@@ -142,6 +196,40 @@ impl Block {
             }
         } else if self.left == Face::Axis {
             return error("plane strain has no axis; use a symmetry face");
+        }
+        self.check_driven()
+    }
+
+    /// A driven part must lie on its face, and a driven face must leave its neighbours their own conditions.
+    fn check_driven(&self) -> Result<(), SolidError> {
+        let bad = |why: String| Err(SolidError::BadBlock { block: *self, why });
+        for side in Side::ALL {
+            let Face::Driven(driven) = self.face(side) else {
+                continue;
+            };
+            let along = 1 - side.normal_axis();
+            let (first, last) = (self.lower[along], self.upper[along]);
+            if let Some([from, to]) = driven.part
+                && !(first <= from && from < to && to <= last)
+            {
+                return bad(format!(
+                    "the driven part of its {side:?} face from {from} m to {to} m must lie on the face, which goes from \
+                     {first} m to {last} m"
+                ));
+            }
+            let ends = match along {
+                0 => [(Side::Left, first), (Side::Right, last)],
+                _ => [(Side::Bottom, first), (Side::Top, last)],
+            };
+            for (end, at) in ends {
+                let reached = driven.part.is_none_or(|[from, to]| from <= at && at <= to);
+                if reached && matches!(self.face(end), Face::Driven(_)) {
+                    return bad(format!(
+                        "its {side:?} and {end:?} faces are both driven up to the corner they share, where they may \
+                         contradict each other; drive only part of one of them"
+                    ));
+                }
+            }
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! Energy ledger of a solid.
 //!
-//! kinetic + elastic + plastic work + viscous + hourglass = work of pressure + work of absorbing faces.
+//! kinetic + elastic + plastic work + damage work + lost + viscous + hourglass + damping
+//!     = work of pressure, driven and absorbing faces.
 //! The work of a face is taken at its deformed surface points, where the liquid sees it.
 
 use super::{Face, Solid};
@@ -13,15 +14,17 @@ pub struct Energy {
     pub kinetic: f64,
     /// Elastic energy tau:C^-1:tau/2 of the Kirchhoff stress tau = J sigma, per reference volume.
     pub elastic: f64,
-    /// Plastic work.
+    /// Plastic work, that of lost material included.
     pub plastic_work: f64,
+    /// Dissipated by loss of modulus.
+    pub damage_work: f64,
 }
 
 impl Energy {
-    /// Sum of the three.
+    /// Sum of the four.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.kinetic + self.elastic + self.plastic_work
+        self.kinetic + self.elastic + self.plastic_work + self.damage_work
     }
 }
 
@@ -33,30 +36,50 @@ impl Solid {
             kinetic: 0.0,
             elastic: 0.0,
             plastic_work: 0.0,
+            damage_work: 0.0,
         };
         let s = &self.state;
         for a in 0..self.len() {
-            let v = s.velocity[a];
             let volume = self.reference.volume[a];
-            energy.kinetic += 0.5 * self.reference.mass[a] * (v[0] * v[0] + v[1] * v[1]);
-            energy.elastic += volume
-                * self
-                    .material
-                    .elastic
-                    .energy_density(s.stress[a] * self.volume_ratio(a));
+            energy.kinetic += self.kinetic_energy(a);
+            energy.elastic += self.elastic_energy(a);
             energy.plastic_work += volume * s.plastic_work[a];
+            energy.damage_work += volume * s.damage_work[a];
         }
         energy
+    }
+
+    /// Kinetic energy of a particle, J.
+    pub(super) fn kinetic_energy(&self, a: usize) -> f64 {
+        let v = self.state.velocity[a];
+        0.5 * self.reference.mass[a] * (v[0] * v[0] + v[1] * v[1])
+    }
+
+    /// Elastic energy of a particle, J: (1 - D) times that of the sound material.
+    pub(super) fn elastic_energy(&self, a: usize) -> f64 {
+        let kirchhoff = self.state.stress[a] * self.volume_ratio(a);
+        let integrity = self.damage.integrity(self.state.damage[a]);
+        let energy = self.material.elastic.energy_density(kirchhoff);
+        if integrity > 0.0 {
+            self.reference.volume[a] * energy / integrity
+        } else {
+            0.0
+        }
     }
 
     /// Energy that the ledger misses, J: what is stored and dissipated less the work of the faces.
     #[must_use]
     pub fn energy_defect(&self) -> f64 {
         let w = self.state.work;
-        self.energy().total() + w.viscous + w.hourglass - w.pressure - w.absorbing
+        let lost = w.lost.kinetic + w.lost.elastic;
+        self.energy().total() + lost + w.viscous + w.hourglass + w.damping
+            - w.pressure
+            - w.driving
+            - w.absorbing
     }
 
-    /// Adds the work of one step to the ledger and moves the surface points along; call it after the closing kick of
+    /// Adds the work of one step to the ledger, moves the surface points along and takes out what failed; call it after the
+    /// closing kick of
     /// a kick-drift-kick step of length `dt` (s), whose velocities make the powers second order in time.
     pub fn account(&mut self, dt: f64) {
         self.follow_surfaces();
@@ -66,15 +89,18 @@ impl Solid {
                 .map(|((a, v), m)| m * (a[0] * v[0] + a[1] * v[1]))
                 .sum()
         };
+        let (viscous, hourglass) = (power(&self.scratch.viscous), power(&self.scratch.hourglass));
         let work = &mut self.state.work;
-        work.viscous -= dt * power(&self.scratch.viscous);
-        work.hourglass -= dt * power(&self.scratch.hourglass);
+        work.viscous -= dt * viscous;
+        work.hourglass -= dt * hourglass;
         for surface in &self.surfaces {
             let work = match surface.face {
-                Face::Absorbing => &mut work.absorbing,
-                _ => &mut work.pressure,
+                Face::Absorbing => &mut self.state.work.absorbing,
+                _ => &mut self.state.work.pressure,
             };
-            *work += dt * surface.power();
+            *work += dt * surface.power(false);
+            self.state.work.driving += dt * surface.power(true);
         }
+        self.remove_failed();
     }
 }

@@ -52,11 +52,36 @@ pub enum SolidError {
         /// Neighbours and mirror images found.
         neighbours: usize,
     },
+    /// The reference configuration cannot be renewed.
+    #[error(
+        "the reference configuration cannot be renewed: {why} ({side:?} face); all faces must be free, without pressure or \
+         indenter, symmetric or the axis"
+    )]
+    NotRenewable {
+        /// The face.
+        side: Side,
+        /// What is in the way.
+        why: String,
+    },
     /// No particle near a face.
     #[error(
         "no particle lies within three quarters of its spacing of the {side:?} face of the solid"
     )]
     NoSurface {
+        /// The face.
+        side: Side,
+    },
+    /// An indenter that cannot press on the body.
+    #[error("the indenter is not usable: {why}")]
+    BadIndenter {
+        /// The rule it breaks.
+        why: String,
+    },
+    /// A driven part without points.
+    #[error(
+        "no point of the {side:?} face lies in its driven part; the part must hold at least one particle of the first row"
+    )]
+    NothingDriven {
         /// The face.
         side: Side,
     },

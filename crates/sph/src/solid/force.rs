@@ -16,10 +16,13 @@
 //! R is the signed radius in axisymmetry and 1 in plane strain. Units: SI.
 
 use super::images::{Flux, Image};
-use super::mat2::{Mat2, apply, determinant, inverse, product, product_transposed, scaled};
-use super::reference::Reference;
+use super::mat2::{
+    Mat2, apply, combine, determinant, inverse, product, product_transposed, scaled,
+};
+use super::reference::{Pair, Reference};
 use super::state::State;
 use super::stress::TASK;
+use super::surface::Surface;
 use super::{Face, Formulation, Solid, absorbing};
 use crate::geometry::{Geometry, Vec2};
 use rayon::prelude::*;
@@ -35,8 +38,20 @@ pub(super) struct Scratch {
     open_flux: Vec<Mat2>,
     /// P_tt, zero in plane strain.
     hoop: Vec<f64>,
+    /// Pairs with images beyond driven faces.
+    driven: Vec<DrivenPair>,
     pub(super) viscous: Vec<Vec2>,
     pub(super) hourglass: Vec<Vec2>,
+}
+
+/// A pair through which a driven face acts.
+#[derive(Debug, Clone, Copy)]
+struct DrivenPair {
+    particle: u32,
+    /// Index among the pairs of the particle.
+    pair: u32,
+    surface: u32,
+    point: u32,
 }
 
 /// The three parts of an acceleration.
@@ -48,7 +63,52 @@ struct Parts {
 }
 
 impl Scratch {
-    fn acceleration(&self, reference: &Reference, density: f64, a: usize) -> Parts {
+    /// Finds the pairs through which driven faces act.
+    pub(super) fn of(reference: &Reference, surfaces: &[Surface]) -> Self {
+        let n = reference.position.len();
+        let mut driven = Vec::new();
+        for (surface, face) in surfaces.iter().enumerate() {
+            for particle in 0..n {
+                for (pair, p) in reference.pairs_of(particle).iter().enumerate() {
+                    let Some(image) = (p.neighbour as usize).checked_sub(n) else {
+                        continue;
+                    };
+                    let image = reference.mirror_images[image];
+                    if image.beyond(face.side) {
+                        driven.push(DrivenPair {
+                            particle: particle as u32,
+                            pair: pair as u32,
+                            surface: surface as u32,
+                            point: face.foot(image.source) as u32,
+                        });
+                    }
+                }
+            }
+        }
+        Self {
+            driven,
+            ..Self::default()
+        }
+    }
+
+    /// Acceleration of a particle by one of its real or mirrored neighbours.
+    fn by(&self, reference: &Reference, a: usize, p: &Pair) -> Vec2 {
+        let b = p.neighbour as usize;
+        let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
+        let d = [0, 1].map(|i| self.position[a][i] - self.position[b][i]);
+        let v = [0, 1].map(|i| self.velocity[a][i] - self.velocity[b][i]);
+        let along = v[0] * d[0] + v[1] * d[1];
+        let approach = along * if along < 0.0 { p.viscous } else { p.separating };
+        let (q, f) = (
+            combine(&self.flux[a], 1.0, &self.flux[b], 1.0),
+            combine(&self.deformation[a], 0.5, &self.deformation[b], 0.5),
+        );
+        let (force, linear) = (apply(&q, g), apply(&f, p.offset));
+        let scale = 1.0 / (reference.density[a] * reference.weight[a]);
+        [0, 1].map(|i| force[i] * scale + approach * d[i] + p.hourglass * (linear[i] - d[i]))
+    }
+
+    fn acceleration(&self, reference: &Reference, a: usize) -> Parts {
         let (x, v, f, q) = (
             self.position[a],
             self.velocity[a],
@@ -87,7 +147,7 @@ impl Scratch {
         let imbalance = apply(q, reference.imbalance[a]);
         force[0] -= imbalance[0] + self.hoop[a];
         force[1] -= imbalance[1];
-        let scale = 1.0 / (density * reference.weight[a]);
+        let scale = 1.0 / (reference.density[a] * reference.weight[a]);
         parts.total = [0, 1].map(|i| force[i] * scale + parts.viscous[i] + parts.hourglass[i]);
         parts
     }
@@ -96,12 +156,16 @@ impl Scratch {
 impl Solid {
     /// Positions of particles and mirror images for the gather loops.
     pub(super) fn place_images(&mut self) {
-        let block = &self.block;
+        let (reference, surfaces, block) = (&self.reference, &self.surfaces, &self.block);
         let position = &mut self.scratch.position;
         position.clear();
         position.extend_from_slice(&self.state.position);
-        for image in &self.reference.mirror_images {
-            position.push(image.place(block, self.state.position[image.source as usize]));
+        for (image, place) in (reference.mirror_images.iter()).zip(&reference.image_position) {
+            let b = image.source as usize;
+            let (x, start) = (self.state.position[b], reference.position[b]);
+            let u = [x[0] - start[0], x[1] - start[1]];
+            let u = image.displacement(block, surfaces, start, u);
+            position.push([place[0] + u[0], place[1] + u[1]]);
         }
     }
 
@@ -110,7 +174,8 @@ impl Solid {
         velocity.clear();
         velocity.extend_from_slice(&self.state.velocity);
         for image in &self.reference.mirror_images {
-            velocity.push(image.turn(self.state.velocity[image.source as usize]));
+            let v = self.state.velocity[image.source as usize];
+            velocity.push(image.velocity(&self.surfaces, v));
         }
     }
 
@@ -123,34 +188,59 @@ impl Solid {
         }
         self.place_images();
         self.move_images();
+        self.press();
         self.set_tractions();
         self.fluxes();
         let mut viscous = std::mem::take(&mut self.scratch.viscous);
         let mut hourglass = std::mem::take(&mut self.scratch.hourglass);
         viscous.resize(self.len(), [0.0; 2]);
         hourglass.resize(self.len(), [0.0; 2]);
-        let (scratch, reference, density) = (&self.scratch, &self.reference, self.material.density);
+        let (scratch, reference) = (&self.scratch, &self.reference);
         (&mut self.state.acceleration, &mut viscous, &mut hourglass)
             .into_par_iter()
             .enumerate()
             .with_min_len(TASK)
             .for_each(|(a, (total, viscous, hourglass))| {
-                let parts = scratch.acceleration(reference, density, a);
+                let parts = scratch.acceleration(reference, a);
                 (*total, *viscous, *hourglass) = (parts.total, parts.viscous, parts.hourglass);
             });
         (self.scratch.viscous, self.scratch.hourglass) = (viscous, hourglass);
+        self.driven_tractions();
+    }
+
+    /// Tractions of the driven points: the forces of the images beyond them per reference area.
+    fn driven_tractions(&mut self) {
+        for surface in &mut self.surfaces {
+            for j in (0..surface.area.len()).filter(|&j| surface.driven[j]) {
+                surface.traction[j] = [0.0; 2];
+            }
+        }
+        let (scratch, reference) = (&self.scratch, &self.reference);
+        for d in &scratch.driven {
+            let (a, j) = (d.particle as usize, d.point as usize);
+            let pair = &reference.pairs_of(a)[d.pair as usize];
+            let acceleration = scratch.by(reference, a, pair);
+            let surface = &mut self.surfaces[d.surface as usize];
+            let share = reference.mass[a] / surface.area[j];
+            for (t, acceleration) in surface.traction[j].iter_mut().zip(acceleration) {
+                *t += share * acceleration;
+            }
+        }
     }
 
     fn set_tractions(&mut self) {
         for surface in &mut self.surfaces {
             for j in 0..surface.particle.len() {
+                if surface.driven[j] {
+                    continue;
+                }
                 let a = surface.particle[j];
                 surface.traction[j] = if surface.face == Face::Absorbing {
                     let (stress, velocity) = (self.state.stress[a], self.state.velocity[a]);
                     absorbing::traction(&self.material, surface, stress, velocity)
                 } else {
-                    let mut t = [0.0; 2];
-                    t[surface.side.normal_axis()] = -surface.pressure[j] * surface.side.sign();
+                    let mut t = surface.contact[j];
+                    t[surface.side.normal_axis()] -= surface.pressure[j] * surface.side.sign();
                     t
                 };
             }
@@ -198,7 +288,9 @@ impl Solid {
         let scratch = &mut self.scratch;
         for image in &reference.mirror_images {
             scratch.flux.push(at(image));
-            let f = image.turn_matrix(state.deformation[image.source as usize]);
+            let b = image.source as usize;
+            let (x, f) = (state.position[b], state.deformation[b]);
+            let f = image.deformation(block, surfaces, x, f);
             scratch.deformation.push(f);
         }
         scratch.open_flux.clear();

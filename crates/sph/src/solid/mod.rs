@@ -10,10 +10,14 @@ mod balance;
 mod block;
 mod energy;
 mod error;
+mod failure;
 mod force;
 mod images;
+mod indenter;
 mod mat2;
+mod quasi_static;
 mod reference;
+mod renewal;
 mod search;
 mod state;
 mod step;
@@ -21,18 +25,23 @@ mod stress;
 mod surface;
 pub mod updated;
 
-pub use block::{Block, Face, Side};
+pub use block::{Block, Driven, Face, Side, Tangential};
 pub use energy::Energy;
 pub use error::SolidError;
+pub use indenter::Indenter;
 pub use mat2::Mat2;
+pub use quasi_static::{QuasiStatic, Share, smoothstep};
 pub use reference::Reference;
-pub use state::{Field, State, Work};
+pub use renewal::Base;
+pub use state::{FAILED, Field, LOOSE, Lost, State, Work};
 pub use step::StepLimit;
 pub use surface::Surface;
 
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
+use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
+use reference::Layout;
 use serde::{Deserialize, Serialize};
 
 /// Numerical constants of the formulation; the defaults are the ones that were measured as best.
@@ -51,6 +60,10 @@ pub struct Numerics {
     pub courant: f64,
     /// Discrete form.
     pub formulation: Formulation,
+    /// The present configuration becomes the reference when a particle is stretched or compressed by this factor in the
+    /// plane since the last time (total Lagrangian form, see `renewal.rs`); never when absent.
+    #[serde(default)]
+    pub renewal: Option<f64>,
 }
 
 /// Discrete form of the solid.
@@ -73,6 +86,7 @@ impl Default for Numerics {
             hourglass: 0.1,
             courant: 0.4,
             formulation: Formulation::default(),
+            renewal: None,
         }
     }
 }
@@ -86,14 +100,18 @@ pub struct Solid {
     pub block: Block,
     /// Material.
     pub material: Material,
+    /// When the material fails; never unless set.
+    pub damage: Damage,
     /// Numerical constants.
     pub numerics: Numerics,
     /// Reference configuration.
     pub reference: Reference,
-    /// What changes with time; replace it by a checkpoint's to resume (then call [`Self::follow_surfaces`]).
+    /// What changes with time; replace it by a checkpoint's to resume (then call [`Self::take_up`]).
     pub state: State,
-    /// Traction and absorbing faces.
+    /// Traction, absorbing and driven faces.
     pub surfaces: Vec<Surface>,
+    /// A rigid body that presses on a traction face; its motion is set by the caller.
+    pub indenter: Option<Indenter>,
     scratch: force::Scratch,
     /// Used by the published form alone.
     present: updated::Present,
@@ -132,7 +150,8 @@ impl Solid {
             position,
             area,
         } = setup;
-        let mut reference = Reference::new(geometry, &block, &material, &numerics, position, area)?;
+        let layout = Layout::first(geometry, &material, &numerics, position, area);
+        let mut reference = Reference::new(geometry, &block, &material, &numerics, layout)?;
         let surfaces = Side::ALL
             .into_iter()
             .filter(|&side| !block.face(side).mirrors())
@@ -154,10 +173,12 @@ impl Solid {
             geometry,
             block,
             material,
+            damage: Damage::None,
             numerics,
+            scratch: force::Scratch::of(&reference, &surfaces),
             reference,
             surfaces,
-            scratch: force::Scratch::default(),
+            indenter: None,
             present,
         };
         solid.follow_surfaces();
@@ -176,10 +197,13 @@ impl Solid {
         self.len() == 0
     }
 
-    /// J = present volume / reference volume of a particle.
+    /// J = present volume / volume in the first configuration of a particle.
     #[must_use]
     pub fn volume_ratio(&self, particle: usize) -> f64 {
-        mat2::determinant(&self.state.deformation[particle]) * self.state.hoop_stretch[particle]
+        let f = &self.state.deformation[particle];
+        self.reference.volume_ratio[particle]
+            * mat2::determinant(f)
+            * self.state.hoop_stretch[particle]
     }
 
     /// Density of a particle, kg/m3.
@@ -200,12 +224,19 @@ impl Solid {
         self.surfaces.iter_mut().find(|s| s.side == side)
     }
 
-    /// Moves the surface points to the present positions and velocities.
+    /// Moves the surface points to the present positions and velocities; takes particles out of the neighbour sums that the
+    /// state counts as removed.
     pub fn follow_surfaces(&mut self) {
+        self.forget_removed();
         if let Formulation::Joshi(_) = self.numerics.formulation {
             return self.arrange();
         }
         self.move_images();
+        self.follow_moved_surfaces();
+    }
+
+    /// The same with the images where they are.
+    fn follow_moved_surfaces(&mut self) {
         let (reference, velocity) = (&self.reference, &self.scratch.velocity);
         for surface in &mut self.surfaces {
             surface.follow_position(reference, &self.state);

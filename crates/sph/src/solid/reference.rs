@@ -4,9 +4,9 @@
 //! the constant 1/1.0105 of the cubic spline. Deformation gradient: L_own, the same over real particles and mirror
 //! images only, so that it is exact for linear fields at free faces too.
 
-use super::block::{Block, Side};
+use super::block::{Block, Reflection, Side};
 use super::images::Image;
-use super::mat2::{Mat2, determinant, inverse};
+use super::mat2::{Mat2, UNIT, determinant, inverse};
 use super::search::Cloud;
 use super::{Numerics, SolidError};
 use crate::geometry::{Geometry, Vec2};
@@ -15,6 +15,9 @@ use erode_physics::material_point::Material;
 
 /// Particles no deeper than this many spacings under a face are its first row.
 pub(super) const FIRST_ROW: f64 = 0.75;
+
+/// Smallest determinant of a moment matrix that spans a gradient; 1 inside.
+const LEAST_MOMENT: f64 = 0.01;
 
 /// One neighbour of a particle: real or a mirror image.
 #[derive(Debug, Clone, Copy)]
@@ -53,22 +56,74 @@ pub struct Reference {
     pub area: Vec<f64>,
     /// Smoothing length, m.
     pub smoothing_length: Vec<f64>,
-    /// Volume of the ring (axisymmetry) or per metre (plane strain), m3.
+    /// Volume of the ring (axisymmetry) or per metre (plane strain) in the first configuration, m3.
     pub volume: Vec<f64>,
     /// Mass, kg.
     pub mass: Vec<f64>,
+    /// Volume here over volume in the first configuration: 1 before a renewal.
+    pub volume_ratio: Vec<f64>,
+    /// Density here, kg/m3.
+    pub(super) density: Vec<f64>,
+    /// Number of renewals, see `renewal.rs`.
+    pub(super) renewals: u32,
+    pub(super) first_area: Vec<f64>,
+    pub(super) first_smoothing_length: Vec<f64>,
     /// R in axisymmetry, 1 in plane strain.
     pub(super) weight: Vec<f64>,
     pub(super) mirror_images: Vec<Image>,
+    /// Where the mirror images were at the start, m.
+    pub(super) image_position: Vec<Vec2>,
     pub(super) open_images: Vec<Image>,
     pub(super) full_correction: Vec<Mat2>,
     pub(super) own_correction: Vec<Mat2>,
     /// See `balance.rs`.
     pub(super) imbalance: Vec<Vec2>,
+    /// Particles taken out of all sums, see `failure.rs`.
+    pub(super) forgotten: Vec<bool>,
     pair_start: Vec<u32>,
     pairs: Vec<Pair>,
     open_start: Vec<u32>,
     open_pairs: Vec<OpenPair>,
+}
+
+/// What a reference configuration is built from.
+pub(super) struct Layout {
+    pub(super) position: Vec<Vec2>,
+    pub(super) area: Vec<f64>,
+    pub(super) smoothing_length: Vec<f64>,
+    pub(super) mass: Vec<f64>,
+    pub(super) renewals: u32,
+    pub(super) volume_ratio: Vec<f64>,
+    pub(super) first_area: Vec<f64>,
+    pub(super) first_smoothing_length: Vec<f64>,
+    pub(super) forgotten: Vec<bool>,
+}
+
+impl Layout {
+    /// The first configuration.
+    pub(super) fn first(
+        geometry: Geometry,
+        material: &Material,
+        numerics: &Numerics,
+        position: Vec<Vec2>,
+        area: Vec<f64>,
+    ) -> Self {
+        let volume = position.iter().zip(&area);
+        let volume = volume.map(|(x, a)| a * geometry.ring(x[0]));
+        let h = area.iter().map(|a| numerics.smoothing_ratio * a.sqrt());
+        let h: Vec<f64> = h.collect();
+        Self {
+            mass: volume.map(|v| v * material.density).collect(),
+            renewals: 0,
+            volume_ratio: vec![1.0; position.len()],
+            first_area: area.clone(),
+            first_smoothing_length: h.clone(),
+            forgotten: vec![false; position.len()],
+            smoothing_length: h,
+            position,
+            area,
+        }
+    }
 }
 
 impl Reference {
@@ -77,37 +132,42 @@ impl Reference {
         block: &Block,
         material: &Material,
         numerics: &Numerics,
-        position: Vec<Vec2>,
-        area: Vec<f64>,
+        layout: Layout,
     ) -> Result<Self, SolidError> {
         let axisymmetric = geometry == Geometry::Axisymmetric;
-        let h: Vec<f64> = area
-            .iter()
-            .map(|a| numerics.smoothing_ratio * a.sqrt())
-            .collect();
-        let volume: Vec<f64> = (position.iter().zip(&area))
-            .map(|(x, a)| a * geometry.ring(x[0]))
-            .collect();
-        let (cloud, lists) = Cloud::with_neighbours(block, &position, &h);
+        let (position, h) = (layout.position, layout.smoothing_length);
+        let open = layout.renewals == 0;
+        let (cloud, lists) = Cloud::with_neighbours(block, &position, &h, open);
         let mut reference = Self {
             weight: position
                 .iter()
                 .map(|x| if axisymmetric { x[0] } else { 1.0 })
                 .collect(),
-            mass: volume.iter().map(|v| v * material.density).collect(),
+            volume: layout.mass.iter().map(|m| m / material.density).collect(),
+            density: layout
+                .volume_ratio
+                .iter()
+                .map(|j| material.density / j)
+                .collect(),
+            mass: layout.mass,
+            volume_ratio: layout.volume_ratio,
+            renewals: layout.renewals,
+            first_area: layout.first_area,
+            first_smoothing_length: layout.first_smoothing_length,
             smoothing_length: h,
-            volume,
             mirror_images: Vec::new(),
+            image_position: cloud.points[cloud.particles..][..cloud.mirror_images.len()].to_vec(),
             open_images: Vec::new(),
             full_correction: Vec::new(),
             own_correction: Vec::new(),
-            imbalance: Vec::new(),
+            imbalance: vec![[0.0; 2]; position.len()],
+            forgotten: layout.forgotten,
             pair_start: vec![0],
             pairs: Vec::new(),
             open_start: vec![0],
             open_pairs: Vec::new(),
             position,
-            area,
+            area: layout.area,
         };
         for (a, list) in lists.iter().enumerate() {
             reference.add_pairs(block, a, list, &cloud, material, numerics);
@@ -126,6 +186,58 @@ impl Reference {
     /// Open images that act on a particle.
     pub(super) fn open_pairs_of(&self, a: usize) -> &[OpenPair] {
         &self.open_pairs[self.open_start[a] as usize..self.open_start[a + 1] as usize]
+    }
+
+    /// Particles that, or whose images, are neighbours of a particle or of its images.
+    pub(super) fn sources_near(&self, a: usize) -> Vec<usize> {
+        let real = self.pairs_of(a).iter().map(|p| self.source(p.neighbour));
+        let open = self.open_pairs_of(a).iter();
+        let open = open.map(|p| self.open_images[p.image as usize].source as usize);
+        real.chain(open).collect()
+    }
+
+    /// The particle behind a neighbour.
+    fn source(&self, neighbour: u32) -> usize {
+        let (b, n) = (neighbour as usize, self.position.len());
+        if b < n {
+            b
+        } else {
+            self.mirror_images[b - n].source as usize
+        }
+    }
+
+    /// Sets the coefficients of all pairs of a particle with forgotten ones to zero; of all its pairs if it is one.
+    pub(super) fn silence(&mut self, a: usize) {
+        for k in self.pair_start[a] as usize..self.pair_start[a + 1] as usize {
+            if self.forgotten[a] || self.forgotten[self.source(self.pairs[k].neighbour)] {
+                let p = &mut self.pairs[k];
+                (p.gradient, p.viscous, p.separating, p.hourglass) = (0.0, 0.0, 0.0, 0.0);
+            }
+        }
+        for k in self.open_start[a] as usize..self.open_start[a + 1] as usize {
+            let source = self.open_images[self.open_pairs[k].image as usize].source;
+            if self.forgotten[a] || self.forgotten[source as usize] {
+                self.open_pairs[k].gradient = 0.0;
+            }
+        }
+    }
+
+    /// Corrects the gradients of a particle that lost neighbours; false if those left do not span one.
+    pub(super) fn correct_again(&mut self, a: usize) -> bool {
+        let mut moment = [[0.0; 2]; 2];
+        for p in self.pairs_of(a) {
+            add_moment(&mut moment, p.offset, p.gradient);
+        }
+        if determinant(&moment) <= LEAST_MOMENT {
+            return false;
+        }
+        self.own_correction[a] = inverse(&moment);
+        for p in self.open_pairs_of(a) {
+            add_moment(&mut moment, p.offset, p.gradient);
+        }
+        self.full_correction[a] = inverse(&moment);
+        self.imbalance[a] = [0.0; 2];
+        true
     }
 
     fn add_pairs(
@@ -150,11 +262,15 @@ impl Reference {
             } else {
                 0.0
             };
-            let gradient = self.area[source] * kernel::gradient_factor(square.sqrt(), h);
+            let gone = self.forgotten[a] || self.forgotten[source];
+            let area = if gone { 0.0 } else { self.area[source] };
+            let gradient = area * kernel::gradient_factor(square.sqrt(), h);
             if (j as usize) < first_open {
-                // The stabilisers are weighted with the mean of the two |R|: never negative, so that each dissipates.
-                let mean = 0.5 * (1.0 + self.weight[source] / self.weight[a]) / square;
-                let value = self.area[source] * kernel::value(square.sqrt(), h);
+                // The stabilisers are weighted with the means of the two |R| and densities: never negative, so that each
+                // dissipates.
+                let mean = 0.5 * (1.0 + self.weight[source] / self.weight[a]) / square
+                    * (0.5 * (1.0 + self.density[source] / self.density[a]));
+                let value = area * kernel::value(square.sqrt(), h);
                 self.pairs.push(Pair {
                     neighbour: j,
                     offset,
@@ -176,14 +292,20 @@ impl Reference {
     }
 
     fn in_first_row(&self, block: &Block, a: usize) -> bool {
-        Side::ALL.into_iter().any(|side| {
-            !block.face(side).mirrors()
-                && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
-        })
+        self.renewals == 0
+            && Side::ALL.into_iter().any(|side| {
+                block.reflection(side, self.position[a]) == Reflection::Open
+                    && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
+            })
     }
 
     fn correct(&mut self) -> Result<(), SolidError> {
         for a in 0..self.position.len() {
+            if self.forgotten[a] {
+                self.own_correction.push(UNIT);
+                self.full_correction.push(UNIT);
+                continue;
+            }
             let mut moment = [[0.0; 2]; 2];
             for p in self.pairs_of(a) {
                 add_moment(&mut moment, p.offset, p.gradient);
@@ -201,7 +323,7 @@ impl Reference {
 
     /// A moment is near the unit matrix inside and near half of it at a free edge, a quarter in a free corner.
     fn checked_inverse(&self, a: usize, moment: &Mat2) -> Result<Mat2, SolidError> {
-        if determinant(moment) > 0.01 {
+        if determinant(moment) > LEAST_MOMENT {
             Ok(inverse(moment))
         } else {
             Err(SolidError::TooFewNeighbours {

@@ -17,16 +17,19 @@ pub(super) struct Cloud {
 }
 
 impl Cloud {
-    /// Particles with exactly those images that some particle sees, and the neighbours of each particle, ascending.
+    /// Particles with exactly those images that some particle sees (without `open` only mirror images), and the neighbours
+    /// of each particle, ascending.
     pub(super) fn with_neighbours(
         block: &Block,
         position: &[Vec2],
         h: &[f64],
+        open: bool,
     ) -> (Self, Vec<Vec<u32>>) {
         let largest = h.iter().fold(0.0, |m: f64, &x| m.max(x));
         // A particle at depth d sees an image of b at depth d_b if d + d_b is within the pair's support.
         let reach: Vec<f64> = h.iter().map(|h| 0.5 * SUPPORT * (h + largest)).collect();
-        let images = all_images(block, position, &reach);
+        let mut images = all_images(block, position, &reach);
+        images.retain(|i| open || i.is_mirror());
         let all = Self::new(block, position, h, images);
         let lists = all.neighbours();
         let mut used = vec![false; all.points.len()];
@@ -51,7 +54,7 @@ impl Cloud {
 
     fn new(block: &Block, position: &[Vec2], h: &[f64], images: Vec<Image>) -> Self {
         let (mirror_images, open_images): (Vec<_>, Vec<_>) =
-            images.into_iter().partition(|i| i.is_mirror(block));
+            images.into_iter().partition(Image::is_mirror);
         let mut points = position.to_vec();
         let mut source: Vec<u32> = (0..position.len() as u32).collect();
         for image in mirror_images.iter().chain(&open_images) {

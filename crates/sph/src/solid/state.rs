@@ -1,6 +1,7 @@
 //! What changes with time in a solid: everything a checkpoint has to keep.
 
 use super::mat2::{Mat2, UNIT};
+use super::renewal::Base;
 use crate::geometry::Vec2;
 use erode_physics::Sym3;
 use serde::{Deserialize, Serialize};
@@ -30,21 +31,63 @@ pub struct State {
     pub plastic_work: Vec<f64>,
     /// Temperature, K.
     pub temperature: Vec<f64>,
+    /// Damage: 0 sound, 1 failed.
+    pub damage: Vec<f64>,
+    /// Energy dissipated by loss of modulus per reference volume, J/m3.
+    pub damage_work: Vec<f64>,
+    /// 0 in the body, [`FAILED`] taken out by damage, [`LOOSE`] taken out because too little held it.
+    pub removed: Vec<f64>,
+    /// The reference configuration after a renewal.
+    #[serde(default)]
+    pub base: Option<Base>,
     /// Work done so far.
     pub work: Work,
+}
+
+/// In `removed`: the damage law says so.
+pub const FAILED: f64 = 1.0;
+/// In `removed`: too few neighbours are left to span a gradient.
+pub const LOOSE: f64 = 2.0;
+
+/// What was taken out of the body since the start; energies J (of the whole ring, or per metre in plane strain).
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Lost {
+    /// Particles that failed.
+    pub failed: u64,
+    /// Particles that came loose.
+    pub loose: u64,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Momentum along the second coordinate, kg m/s.
+    pub momentum: f64,
+    /// Kinetic energy carried away.
+    pub kinetic: f64,
+    /// Elastic energy carried away.
+    pub elastic: f64,
+    /// Plastic work done in it before; also part of the plastic work of the body's ledger.
+    pub plastic_work: f64,
 }
 
 /// Work since the start, J (of the whole ring in axisymmetry, per metre in plane strain).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
-    /// Done on the solid by the pressure on its traction faces.
+    /// Done on the solid by the pressure on its traction faces and by an indenter.
     pub pressure: f64,
+    /// Done on the solid by its driven faces.
+    #[serde(default)]
+    pub driving: f64,
+    /// Taken out by mass damping.
+    #[serde(default)]
+    pub damping: f64,
     /// Done on the solid by its absorbing faces (negative: energy that left).
     pub absorbing: f64,
     /// Dissipated by the artificial viscosity.
     pub viscous: f64,
     /// Stored or dissipated by the hourglass forces.
     pub hourglass: f64,
+    /// Taken out of the body.
+    #[serde(default)]
+    pub lost: Lost,
 }
 
 /// View of one state array.
@@ -75,13 +118,17 @@ impl State {
             plastic_strain_rate: vec![0.0; n],
             plastic_work: vec![0.0; n],
             temperature: vec![temperature; n],
+            damage: vec![0.0; n],
+            damage_work: vec![0.0; n],
+            removed: vec![0.0; n],
+            base: None,
             work: Work::default(),
         }
     }
 
     /// All arrays with their names.
     #[must_use]
-    pub fn fields(&self) -> [(&'static str, Field<'_>); 11] {
+    pub fn fields(&self) -> [(&'static str, Field<'_>); 14] {
         [
             ("position", Field::Vector(&self.position)),
             ("velocity", Field::Vector(&self.velocity)),
@@ -97,6 +144,9 @@ impl State {
             ),
             ("plastic_work", Field::Scalar(&self.plastic_work)),
             ("temperature", Field::Scalar(&self.temperature)),
+            ("damage", Field::Scalar(&self.damage)),
+            ("damage_work", Field::Scalar(&self.damage_work)),
+            ("removed", Field::Scalar(&self.removed)),
         ]
     }
 }

@@ -1,7 +1,11 @@
 //! Time step of a solid on its own (kick, drift, kick) and its stable length.
 
+use super::mat2::smallest_stretch;
 use super::{Formulation, Solid, SolidError};
 use rayon::prelude::*;
+
+/// Compression that the Courant number has room for.
+const ROOM: f64 = 0.8;
 
 /// The stable step and what limits it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,19 +19,28 @@ pub struct StepLimit {
 }
 
 impl Solid {
-    /// Courant number x spacing / longitudinal wave speed of the reference configuration, which never changes.
+    /// Courant number x spacing / longitudinal wave speed of the first configuration.
+    ///
+    /// Waves cross a compressed spacing sooner: beyond [`ROOM`] the spacing counts as compressed by the smallest stretch
+    /// in the plane. Removed particles do not count.
     #[must_use]
     pub fn stable_time_step(&self) -> StepLimit {
-        let area = &self.reference.area;
-        let particle = (0..area.len())
-            .min_by(|&a, &b| area[a].total_cmp(&area[b]))
-            .unwrap_or(0);
+        let s = &self.state;
+        let spacing = |a: usize| {
+            let stretch = smallest_stretch(&self.total_deformation(a)) / ROOM;
+            self.reference.first_area[a].sqrt() * stretch.min(1.0)
+        };
+        let (particle, smallest) = (0..self.len())
+            .filter(|&a| s.removed[a] == 0.0)
+            .map(|a| (a, spacing(a)))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or((0, spacing(0)));
         let speed = self
             .material
             .elastic
             .longitudinal_speed(self.material.density);
         StepLimit {
-            dt: self.numerics.courant * area[particle].sqrt() / speed,
+            dt: self.numerics.courant * smallest / speed,
             particle,
             reason: "longitudinal wave in the solid",
         }

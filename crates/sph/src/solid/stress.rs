@@ -5,6 +5,8 @@
 //! Jaumann rate, tau_trial = Q tau Q^T + lambda tr(dD) I + 2 mu dD with the exact rotation Q of the midpoint spin
 //! (Hughes and Winget 1980), so that a rigid rotation leaves no stress; then radial return of the Cauchy stress.
 //!
+//! With damage the same is done to the stress of the sound material, tau/(1 - D), and the new D taken off again.
+//!
 //! The rate is written for tau because tau:C^-1:tau/2 per reference volume is then exactly the stored energy.
 //! Units: SI, stress positive in tension. Range: finite rotation, moderate stretch (J > 0).
 
@@ -13,6 +15,7 @@ use super::reference::Reference;
 use super::{Formulation, Solid, SolidError};
 use crate::geometry::{Geometry, Vec2};
 use erode_physics::Sym3;
+use erode_physics::damage::{Damage, PlasticStep};
 use erode_physics::material_point::Material;
 use erode_physics::return_mapping::{PointState, return_stress};
 use rayon::prelude::*;
@@ -46,6 +49,8 @@ struct Point<'a> {
     plastic_strain_rate: &'a mut f64,
     plastic_work: &'a mut f64,
     temperature: &'a mut f64,
+    damage: &'a mut f64,
+    damage_work: &'a mut f64,
 }
 
 /// Strain and spin of a step.
@@ -78,15 +83,22 @@ fn advanced(old: &Mat2, l: &Mat2, dt: f64) -> Mat2 {
 }
 
 impl Point<'_> {
-    fn update(self, f: Mat2, hoop: f64, dt: f64, material: &Material) -> Result<(), Failure> {
-        let old_j = determinant(self.deformation) * *self.hoop_stretch;
-        let j = determinant(&f) * hoop;
+    fn update(
+        self,
+        f: Mat2,
+        hoop: f64,
+        dt: f64,
+        (material, law, first): (&Material, &Damage, f64),
+    ) -> Result<(), Failure> {
+        let old_j = first * determinant(self.deformation) * *self.hoop_stretch;
+        let j = first * determinant(&f) * hoop;
         if j.is_nan() || j <= 0.0 {
             return Err(Failure::Inverted(j));
         }
         let step = increment(self.deformation, *self.hoop_stretch, &f, hoop);
         (*self.deformation, *self.hoop_stretch) = (f, hoop);
-        let kirchhoff = (*self.stress * old_j).rotated_by_spin(step.spin)
+        let sound = law.integrity(*self.damage);
+        let kirchhoff = (*self.stress * (old_j / sound)).rotated_by_spin(step.spin)
             + material.elastic.stress(step.strain);
         let point = PointState {
             plastic_strain: *self.plastic_strain,
@@ -102,12 +114,26 @@ impl Point<'_> {
             &material.strength,
         )
         .map_err(Failure::Return)?;
-        *self.stress = plastic.stress;
-        *self.von_mises = plastic.stress.von_mises();
+        let von_mises = plastic.stress.von_mises();
+        *self.damage = law.after(
+            *self.damage,
+            PlasticStep {
+                increment: plastic.increment,
+                rate: plastic.increment / dt,
+                triaxiality: plastic.stress.mean() / von_mises,
+                temperature: *self.temperature,
+            },
+        );
+        let integrity = law.integrity(*self.damage);
+        let mean = 0.5 * (sound + integrity);
+        *self.stress = plastic.stress * integrity;
+        *self.von_mises = von_mises * integrity;
         *self.plastic_strain += plastic.increment;
         *self.plastic_strain_rate = plastic.increment / dt;
-        *self.plastic_work += plastic.work * j;
-        *self.temperature += plastic.heating;
+        *self.plastic_work += mean * plastic.work * j;
+        *self.temperature += mean * plastic.heating;
+        *self.damage_work +=
+            (sound - integrity) * material.elastic.energy_density(plastic.stress * j);
         Ok(())
     }
 }
@@ -121,7 +147,7 @@ impl Solid {
     /// Brings deformation and stress to the present positions; `dt` is the time (s) since they were last there.
     ///
     /// # Errors
-    /// If a particle is turned inside out or the stress cannot be returned to the yield surface; the particle with
+    /// If the reference cannot be renewed where that is asked for, a particle is turned inside out or the stress cannot be returned to the yield surface; the particle with
     /// the smallest index is named. The state is then not usable any more.
     pub fn update_stress(&mut self, dt: f64) -> Result<(), SolidError> {
         let form = self.numerics.formulation;
@@ -129,60 +155,67 @@ impl Solid {
             Formulation::TotalLagrangian => self.place_images(),
             Formulation::Joshi(_) => self.velocity_gradients(),
         }
-        let (reference, material) = (&self.reference, &self.material);
+        let (reference, material, law) = (&self.reference, &self.material, &self.damage);
         let (position, rates) = (&self.scratch.position, &self.present.gradient);
         let axisymmetric = self.geometry == Geometry::Axisymmetric;
         let s = &mut self.state;
-        let place = &s.position;
-        let failed =
-            (
-                &mut s.deformation,
-                &mut s.hoop_stretch,
-                &mut s.stress,
-                &mut s.von_mises,
-                &mut s.plastic_strain,
-                &mut s.plastic_strain_rate,
-                &mut s.plastic_work,
-                &mut s.temperature,
-            )
-                .into_par_iter()
-                .enumerate()
-                .with_min_len(TASK)
-                .filter_map(|(a, fields)| {
-                    let (
-                        deformation,
-                        hoop_stretch,
-                        stress,
-                        von_mises,
-                        strain,
-                        rate,
-                        work,
-                        temperature,
-                    ) = fields;
-                    let point = Point {
-                        deformation,
-                        hoop_stretch,
-                        stress,
-                        von_mises,
-                        plastic_strain: strain,
-                        plastic_strain_rate: rate,
-                        plastic_work: work,
-                        temperature,
-                    };
-                    let hoop = if axisymmetric {
-                        place[a][0] / reference.position[a][0]
-                    } else {
-                        1.0
-                    };
-                    let f = match form {
-                        Formulation::TotalLagrangian => gradient(reference, position, a),
-                        Formulation::Joshi(_) => advanced(point.deformation, &rates[a], dt),
-                    };
-                    point.update(f, hoop, dt, material).err().map(|e| (a, e))
-                })
-                .min_by_key(|(a, _)| *a);
+        let (place, removed) = (&s.position, &s.removed);
+        let failed = (
+            &mut s.deformation,
+            &mut s.hoop_stretch,
+            &mut s.stress,
+            &mut s.von_mises,
+            &mut s.plastic_strain,
+            &mut s.plastic_strain_rate,
+            &mut s.plastic_work,
+            &mut s.temperature,
+            &mut s.damage,
+            &mut s.damage_work,
+        )
+            .into_par_iter()
+            .enumerate()
+            .with_min_len(TASK)
+            .filter(|(a, _)| removed[*a] == 0.0)
+            .filter_map(|(a, fields)| {
+                let (
+                    deformation,
+                    hoop_stretch,
+                    stress,
+                    von_mises,
+                    strain,
+                    rate,
+                    work,
+                    temperature,
+                    damage,
+                    damage_work,
+                ) = fields;
+                let point = Point {
+                    deformation,
+                    hoop_stretch,
+                    stress,
+                    von_mises,
+                    plastic_strain: strain,
+                    plastic_strain_rate: rate,
+                    plastic_work: work,
+                    temperature,
+                    damage,
+                    damage_work,
+                };
+                let hoop = if axisymmetric {
+                    place[a][0] / reference.position[a][0]
+                } else {
+                    1.0
+                };
+                let f = match form {
+                    Formulation::TotalLagrangian => gradient(reference, position, a),
+                    Formulation::Joshi(_) => advanced(point.deformation, &rates[a], dt),
+                };
+                let laws = (material, law, reference.volume_ratio[a]);
+                point.update(f, hoop, dt, laws).err().map(|e| (a, e))
+            })
+            .min_by_key(|(a, _)| *a);
         match failed {
-            None => Ok(()),
+            None => self.renew_if_stretched(),
             Some((particle, Failure::Inverted(volume_ratio))) => Err(SolidError::Inverted {
                 particle,
                 position: self.state.position[particle],

@@ -1,13 +1,18 @@
-//! The points of a traction or absorbing face: where pressure enters, where the liquid sees the body.
+//! The points of a traction, absorbing or driven face: where pressure enters, where the liquid sees the body, where motion
+//! is prescribed.
 //!
 //! A point stands for a strip of the reference face; its traction acts through the open images of the particles
 //! beneath it (nearest along the face). Those particles' share of the face, w_b = sum_a 2 A_a A_b n.L grad_a W, is 1 per
 //! column on a lattice; elsewhere the traction is scaled so that each point transmits pressure x area exactly. (In
 //! axisymmetry the signed radius moves a share of order (h/r)^2 of the load across the axis: the force of a load
 //! within a few spacings of the axis is low by that share while accelerations stay right.)
+//!
+//! A driven point moves as the caller says ([`Surface::drive`]); its traction is the force that the images beyond it put on
+//! the body, per reference area.
 
 use super::SolidError;
-use super::block::{Block, Face, Side};
+use super::block::{Block, Face, Reflection, Side, Tangential};
+use super::images::Image;
 use super::mat2::{Mat2, apply};
 use super::reference::{FIRST_ROW, Reference};
 use super::state::State;
@@ -18,7 +23,7 @@ use crate::geometry::{Geometry, Vec2};
 pub struct Surface {
     /// Which face.
     pub side: Side,
-    /// Traction or absorbing.
+    /// Traction, absorbing or driven.
     pub face: Face,
     /// Particle behind each point.
     pub particle: Vec<usize>,
@@ -36,8 +41,32 @@ pub struct Surface {
     pub pressure: Vec<f64>,
     /// Traction that acted in the last evaluation of forces, Pa.
     pub traction: Vec<Vec2>,
+    /// Traction of a rigid indenter per reference area in the last evaluation of forces, Pa.
+    pub contact: Vec<Vec2>,
+    /// Whether the motion of a point is prescribed.
+    pub(super) driven: Vec<bool>,
+    pub(super) wall: Vec<Wall>,
     scale: Vec<f64>,
     point_of_particle: Vec<u32>,
+    /// Place of the points in the reference configuration of the particles, m.
+    pub(super) anchor: Vec<Vec2>,
+    /// Share of the next point in the motion at a particle reflected in a driven part.
+    share_of_next: Vec<f64>,
+    /// Whether the body is mirrored at the first and the last point.
+    mirrored_ends: [bool; 2],
+}
+
+/// Prescribed motion at a point of a face.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Wall {
+    /// Displacement, m.
+    pub(super) displacement: Vec2,
+    /// Velocity, m/s.
+    pub(super) velocity: Vec2,
+    /// Derivative of the displacement along the face.
+    pub(super) slope: Vec2,
+    /// Second derivative of the normal displacement along the face, 1/m.
+    pub(super) curvature: f64,
 }
 
 const NO_POINT: u32 = u32::MAX;
@@ -59,8 +88,21 @@ impl Surface {
             reference.position[a][along].total_cmp(&reference.position[b][along])
         });
         let n = particle.len();
+        let driven = (particle.iter())
+            .map(|&i| block.reflection(side, reference.position[i]) != Reflection::Open)
+            .collect();
+        let ends = if along == 0 {
+            [Side::Left, Side::Right]
+        } else {
+            [Side::Bottom, Side::Top]
+        };
         let mut surface = Self {
             side,
+            driven,
+            wall: vec![Wall::default(); n],
+            contact: vec![[0.0; 2]; n],
+            share_of_next: vec![0.0; reference.position.len()],
+            mirrored_ends: ends.map(|s| matches!(block.face(s), Face::Axis | Face::Symmetry)),
             face: block.face(side),
             reference_position: vec![[block.coordinate(side); 2]; n],
             width: vec![0.0; n],
@@ -69,11 +111,14 @@ impl Surface {
             velocity: vec![[0.0; 2]; n],
             pressure: vec![0.0; n],
             traction: vec![[0.0; 2]; n],
+            anchor: Vec::new(),
             scale: vec![1.0; n],
             point_of_particle: vec![NO_POINT; reference.position.len()],
             particle,
         };
         surface.place_strips(geometry, block, reference);
+        surface.anchor.clone_from(&surface.reference_position);
+        surface.find_feet(block, reference)?;
         surface.share_out(geometry, block, reference)?;
         Ok(surface)
     }
@@ -100,6 +145,33 @@ impl Surface {
         }
     }
 
+    /// Between which points the particles reflected in a driven part lie.
+    fn find_feet(&mut self, block: &Block, reference: &Reference) -> Result<(), SolidError> {
+        if !matches!(self.face, Face::Driven(_)) {
+            return Ok(());
+        }
+        let along = 1 - self.side.normal_axis();
+        if !self.driven.contains(&true) {
+            return Err(SolidError::NothingDriven { side: self.side });
+        }
+        let at = |j: usize| self.reference_position[j][along];
+        for (b, position) in reference.position.iter().enumerate() {
+            if block.reflection(self.side, *position) == Reflection::Open {
+                continue;
+            }
+            let x = position[along];
+            let near = self.nearest(x, along, &reference.position, true)? as usize;
+            let first = if x < at(near) { near.max(1) - 1 } else { near };
+            let next = first + 1;
+            self.point_of_particle[b] = near as u32;
+            if next < self.driven.len() && self.driven[first] && self.driven[next] {
+                self.point_of_particle[b] = first as u32;
+                self.share_of_next[b] = ((x - at(first)) / (at(next) - at(first))).clamp(0.0, 1.0);
+            }
+        }
+        Ok(())
+    }
+
     /// Assigns the sources of open images to points and sets the scales.
     fn share_out(
         &mut self,
@@ -109,17 +181,13 @@ impl Surface {
     ) -> Result<(), SolidError> {
         let (axis, along) = (self.side.normal_axis(), 1 - self.side.normal_axis());
         let mut share = vec![0.0; self.particle.len()];
-        let acts = |i: u32| {
-            reference.open_images[i as usize]
-                .sides()
-                .any(|s| s == self.side)
-        };
-        for image in &reference.open_images {
-            if image.sides().any(|s| s == self.side) {
-                let b = image.source as usize;
-                self.point_of_particle[b] =
-                    self.nearest(reference.position[b][along], along, &reference.position)?;
-            }
+        let opens = |image: &Image| image.steps().any(|s| s.side == self.side && s.is_open());
+        let acts = |i: u32| opens(&reference.open_images[i as usize]);
+        let mut point = std::mem::take(&mut self.point_of_particle);
+        for image in reference.open_images.iter().filter(|i| opens(i)) {
+            let b = image.source as usize;
+            let x = reference.position[b][along];
+            point[b] = self.nearest(x, along, &reference.position, false)?;
         }
         for a in 0..reference.position.len() {
             for p in reference.open_pairs_of(a).iter().filter(|p| acts(p.image)) {
@@ -133,11 +201,14 @@ impl Surface {
                     reference.position[b][0]
                 };
                 let ring = geometry.ring(radius);
-                share[self.point_of_particle[b] as usize] +=
-                    2.0 * reference.area[a] * normal * ring;
+                share[point[b] as usize] += 2.0 * reference.area[a] * normal * ring;
             }
         }
+        self.point_of_particle = point;
         for (j, share) in share.into_iter().enumerate() {
+            if self.driven[j] {
+                continue;
+            }
             let scale = self.area[j] / share;
             if !(0.2..5.0).contains(&scale) {
                 return Err(SolidError::UnevenFace {
@@ -151,12 +222,14 @@ impl Surface {
         Ok(())
     }
 
-    /// Point nearest to coordinate `x` along the face; `position` are the reference positions of the particles.
+    /// Driven or other point nearest to coordinate `x` along the face; `position` are the reference positions of the
+    /// particles.
     pub(super) fn nearest(
         &self,
         x: f64,
         along: usize,
         position: &[Vec2],
+        driven: bool,
     ) -> Result<u32, SolidError> {
         let at = |j: usize| position[self.particle[j]][along];
         let n = self.particle.len();
@@ -171,7 +244,114 @@ impl Surface {
         } else {
             after
         };
-        Ok(j as u32)
+        let fits = |i: &usize| self.driven[*i] == driven;
+        let found = (j..n).find(fits).into_iter().chain((0..j).rfind(fits));
+        found
+            .min_by_key(|i| i.abs_diff(j))
+            .map(|i| i as u32)
+            .ok_or(SolidError::NoSurface { side: self.side })
+    }
+
+    /// Prescribes the motion of the driven points: `motion` gives displacement (m) and velocity (m/s) at a point of the
+    /// reference face. Along a face without tangential motion only the normal components count.
+    pub fn drive(&mut self, motion: impl Fn(Vec2) -> [Vec2; 2]) {
+        for j in (0..self.wall.len()).filter(|&j| self.driven[j]) {
+            let [displacement, velocity] = motion(self.reference_position[j]);
+            self.wall[j] = Wall {
+                displacement,
+                velocity,
+                slope: [0.0; 2],
+                curvature: 0.0,
+            };
+        }
+        for j in 0..self.wall.len() {
+            (self.wall[j].slope, self.wall[j].curvature) = self.slope(j);
+        }
+    }
+
+    /// Sets the pressure (Pa) from the place of each point on the reference face.
+    pub fn push(&mut self, pressure: impl Fn(Vec2) -> f64) {
+        for (p, x) in self.pressure.iter_mut().zip(&self.reference_position) {
+            *p = pressure(*x);
+        }
+    }
+
+    /// Number of driven points.
+    #[must_use]
+    pub fn driven_points(&self) -> usize {
+        self.driven.iter().filter(|d| **d).count()
+    }
+
+    /// First derivatives of the prescribed displacement along the face and second one of its normal component.
+    fn slope(&self, j: usize) -> (Vec2, f64) {
+        let (n, along) = (self.wall.len(), 1 - self.side.normal_axis());
+        let at = |i: usize| (self.reference_position[i][along], self.wall[i].displacement);
+        let driven = |i: usize| i < n && self.driven[i];
+        let beyond = |sign: f64| {
+            let (x, mut u) = at(j);
+            u[along] = -u[along];
+            (x + sign * self.width[j], u)
+        };
+        let here = at(j);
+        let before = match j.checked_sub(1) {
+            Some(i) if driven(i) => at(i),
+            None if self.mirrored_ends[0] => beyond(-1.0),
+            _ => here,
+        };
+        let after = if driven(j + 1) {
+            at(j + 1)
+        } else if j + 1 == n && self.mirrored_ends[1] {
+            beyond(1.0)
+        } else {
+            here
+        };
+        let length = after.0 - before.0;
+        if !self.driven[j] || length == 0.0 {
+            return ([0.0; 2], 0.0);
+        }
+        let normal = self.side.normal_axis();
+        let rise = |a: (f64, Vec2), b: (f64, Vec2)| {
+            if a.0 == b.0 {
+                None
+            } else {
+                Some((b.1[normal] - a.1[normal]) / (b.0 - a.0))
+            }
+        };
+        let curvature = match (rise(before, here), rise(here, after)) {
+            (Some(first), Some(second)) => 2.0 * (second - first) / length,
+            _ => 0.0,
+        };
+        let slope = [0, 1].map(|k| (after.1[k] - before.1[k]) / length);
+        (slope, curvature)
+    }
+
+    /// Prescribed motion where a particle is reflected.
+    pub(super) fn wall_at(&self, particle: u32) -> Wall {
+        let b = particle as usize;
+        let (j, share) = (self.point_of_particle[b] as usize, self.share_of_next[b]);
+        if share == 0.0 {
+            return self.wall[j];
+        }
+        let (one, two) = (self.wall[j], self.wall[j + 1]);
+        let mean = |a: Vec2, b: Vec2| [0, 1].map(|k| a[k] + share * (b[k] - a[k]));
+        Wall {
+            displacement: mean(one.displacement, two.displacement),
+            velocity: mean(one.velocity, two.velocity),
+            slope: mean(one.slope, two.slope),
+            curvature: one.curvature + share * (two.curvature - one.curvature),
+        }
+    }
+
+    /// Point that takes the reaction of a particle reflected in a driven part.
+    pub(super) fn foot(&self, particle: u32) -> usize {
+        let b = particle as usize;
+        self.point_of_particle[b] as usize + usize::from(self.share_of_next[b] > 0.5)
+    }
+
+    /// Which components of a point's motion are prescribed.
+    fn prescribed(&self, j: usize) -> [bool; 2] {
+        let bonded = matches!(self.face, Face::Driven(d) if d.tangential == Tangential::Bonded);
+        [0, 1].map(|k| self.driven[j] && (bonded || k == self.side.normal_axis()))
     }
 
     /// Scale of the traction that the images of a particle carry.
@@ -189,7 +369,14 @@ impl Surface {
     pub(super) fn follow_position(&mut self, reference: &Reference, state: &State) {
         for (j, &a) in self.particle.iter().enumerate() {
             let x = apply(&state.deformation[a], self.offset(j, reference));
-            self.position[j] = [0, 1].map(|k| state.position[a][k] + x[k]);
+            let (held, wall) = (self.prescribed(j), self.wall[j].displacement);
+            self.position[j] = [0, 1].map(|k| {
+                if held[k] {
+                    self.reference_position[j][k] + wall[k]
+                } else {
+                    state.position[a][k] + x[k]
+                }
+            });
         }
     }
 
@@ -202,24 +389,54 @@ impl Surface {
     ) {
         for (j, &a) in self.particle.iter().enumerate() {
             let v = apply(&velocity_gradient(a), self.offset(j, reference));
-            self.velocity[j] = [0, 1].map(|k| state.velocity[a][k] + v[k]);
+            let (held, wall) = (self.prescribed(j), self.wall[j].velocity);
+            self.velocity[j] = [0, 1].map(|k| {
+                if held[k] {
+                    wall[k]
+                } else {
+                    state.velocity[a][k] + v[k]
+                }
+            });
         }
     }
 
     /// Reference vector from the particle to the point, m.
     fn offset(&self, j: usize, reference: &Reference) -> Vec2 {
         let x = reference.position[self.particle[j]];
-        [0, 1].map(|k| self.reference_position[j][k] - x[k])
+        [0, 1].map(|k| self.anchor[j][k] - x[k])
     }
 
-    /// Power of the traction that acted, W.
+    /// Power of the traction that acted, W: at driven points (`true`) or at the others.
     #[must_use]
-    pub fn power(&self) -> f64 {
+    pub fn power(&self, driven: bool) -> f64 {
         (0..self.area.len())
+            .filter(|&j| self.driven[j] == driven)
             .map(|j| {
                 let (t, v) = (self.traction[j], self.velocity[j]);
                 self.area[j] * (t[0] * v[0] + t[1] * v[1])
             })
             .sum()
+    }
+
+    /// Force of the traction that acted, N (of the whole ring in axisymmetry, per metre in plane strain).
+    #[must_use]
+    pub fn force(&self) -> Vec2 {
+        let sum = |k: usize| {
+            (self.traction.iter().zip(&self.area))
+                .map(|(t, a)| t[k] * a)
+                .sum()
+        };
+        [0, 1].map(sum)
+    }
+
+    /// Force of the indenter alone, N.
+    #[must_use]
+    pub fn contact_force(&self) -> Vec2 {
+        let sum = |k: usize| {
+            (self.contact.iter().zip(&self.area))
+                .map(|(t, a)| t[k] * a)
+                .sum()
+        };
+        [0, 1].map(sum)
     }
 }

@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used)] // a failed test may panic
 
 mod bodies;
+mod damage;
 mod dynamics;
 mod equilibrium;
 mod kinematics;
+mod large_strain;
 mod ledger;
 mod updated;

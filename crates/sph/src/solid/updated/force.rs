@@ -2,7 +2,6 @@
 
 use super::super::stress::TASK;
 use super::{Present, Settings, Solid};
-use crate::fluid::joshi::axis_correction;
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
 use erode_physics::Sym3;
@@ -25,7 +24,7 @@ impl Forces<'_> {
         let p = self.present;
         let own = self.specific[a];
         let (r, eta) = (p.position[a][0], p.eta[a]);
-        let (f1, slope) = axis_correction(self.geometry, r, p.smoothing_length[a]);
+        let (f1, slope) = (self.settings).axis_correction(self.geometry, r, p.smoothing_length[a]);
         let (mut total, mut viscous) = ([0.0; 2], [0.0; 2]);
         for &b in p.list.of(a) {
             let b = b as usize;
@@ -65,6 +64,7 @@ impl Solid {
     /// Accelerations at the present positions, stresses, velocities and pressures.
     pub(in crate::solid) fn present_accelerations(&mut self, settings: &Settings) {
         self.arrange();
+        self.press_points();
         self.sum_density();
         self.present_tractions();
         let stress = self.present_stress();
@@ -85,7 +85,8 @@ impl Solid {
             .collect();
         self.scratch.viscous.clear();
         for (a, (total, viscous)) in both.into_iter().enumerate() {
-            self.state.acceleration[a] = total;
+            let here = self.state.removed[a] == 0.0;
+            self.state.acceleration[a] = if here { total } else { [0.0; 2] };
             self.scratch.viscous.push(viscous);
         }
     }

@@ -1,10 +1,14 @@
 //! Images of the present configuration: mirror images in fixed faces, open images in moving ones.
 
-use super::super::images::Image;
+use super::super::block::Reflection;
+use super::super::images::{Step, wall_at};
 use super::super::{Block, Face, Side, Solid, Surface, absorbing};
 use crate::fluid::ghosts::Plane;
 use crate::geometry::Vec2;
 use erode_physics::Sym3;
+
+/// Place of removed particles and their images: no pair finds them there.
+const NOWHERE: Vec2 = [f64::NAN; 2];
 
 /// Tangent plane of a face at a point, with the outward normal of the body.
 fn tangent_plane(block: &Block, surface: &Surface, j: usize) -> Plane {
@@ -72,24 +76,37 @@ fn odd_traction(s: Sym3, n: Vec2, t: Vec2) -> Sym3 {
     }
 }
 
-/// The mirror sides of an image.
-fn mirror_sides(image: Image, block: &Block) -> impl Iterator<Item = Side> {
-    let block = *block;
-    (image.sides.into_iter().flatten()).filter(move |s| block.face(*s).mirrors())
+/// Reflects a point in a face that is not open, where its prescribed motion has taken it.
+fn reflect(block: &Block, surfaces: &[Surface], step: Step, source: u32, point: Vec2) -> Vec2 {
+    let mut x = block.reflect(step.side, point);
+    if step.how != Reflection::Mirror {
+        let n = step.side.normal_axis();
+        x[n] += 2.0 * wall_at(surfaces, step.side, source).displacement[n];
+    }
+    x
 }
 
 impl Solid {
     /// Positions and velocities of particles and mirror images.
     pub(super) fn place_moving(&mut self) {
         let (present, state, block) = (&mut self.present, &self.state, &self.block);
+        let (start, surfaces) = (&self.reference.position, &self.surfaces);
         present.position.clone_from(&state.position);
+        for (x, removed) in present.position.iter_mut().zip(&state.removed) {
+            if *removed != 0.0 {
+                *x = NOWHERE;
+            }
+        }
         present.velocity.clone_from(&state.velocity);
         for placed in &present.images[..present.mirrors] {
             let b = placed.image.source as usize;
-            present
-                .position
-                .push(placed.image.place(block, state.position[b]));
-            present.velocity.push(placed.image.turn(state.velocity[b]));
+            let image = placed.image;
+            let u = [0, 1].map(|i| present.position[b][i] - start[b][i]);
+            let u = image.displacement(block, surfaces, start[b], u);
+            let x = image.place(block, start[b]);
+            present.position.push([x[0] + u[0], x[1] + u[1]]);
+            let v = image.velocity(surfaces, state.velocity[b]);
+            present.velocity.push(v);
         }
     }
 
@@ -97,11 +114,13 @@ impl Solid {
     pub(super) fn place_open(&mut self) {
         let (present, block, surfaces) = (&mut self.present, &self.block, &self.surfaces);
         for placed in &present.images[present.mirrors..] {
-            let mut x = self.state.position[placed.image.source as usize];
+            let mut x = present.position[placed.image.source as usize];
             for (s, j) in placed.point.into_iter().flatten() {
                 x = tangent_plane(block, &surfaces[s], j).mirror(x);
             }
-            x = mirror_sides(placed.image, block).fold(x, |x, s| block.reflect(s, x));
+            let source = placed.image.source;
+            let fixed = placed.image.steps().filter(|s| !s.is_open());
+            x = fixed.fold(x, |x, s| reflect(block, surfaces, s, source, x));
             present.position.push(x);
         }
     }
@@ -112,10 +131,14 @@ impl Solid {
         for surface in &mut self.surfaces {
             for j in 0..surface.particle.len() {
                 let a = surface.particle[j];
+                let n = outward_normal(block, surface, j);
                 surface.traction[j] = if surface.face == Face::Absorbing {
                     absorbing::traction(material, surface, state.stress[a], state.velocity[a])
+                } else if surface.driven[j] {
+                    let s = state.stress[a];
+                    [s.xx * n[0] + s.xy * n[1], s.xy * n[0] + s.yy * n[1]]
                 } else {
-                    outward_normal(block, surface, j).map(|n| -surface.pressure[j] * n)
+                    [0, 1].map(|i| surface.contact[j][i] - surface.pressure[j] * n[i])
                 };
             }
         }
@@ -131,7 +154,8 @@ impl Solid {
                 let normal = outward_normal(&self.block, surface, j);
                 s = odd_traction(s, normal, surface.traction[j]);
             }
-            if mirror_sides(placed.image, &self.block).count() == 1 {
+            let flips = |s: &Step| matches!(s.how, Reflection::Mirror | Reflection::Slip);
+            if placed.image.steps().filter(flips).count() == 1 {
                 s.xy = -s.xy;
             }
             stress.push(s);

@@ -29,8 +29,9 @@ mod sums;
 
 use super::images::{Image, all_images};
 use super::mat2::{Mat2, product};
-use super::{Block, Solid, SolidError, Surface};
-use crate::geometry::Vec2;
+use super::{Block, Formulation, Solid, SolidError, Surface};
+use crate::fluid::joshi::axis_correction;
+use crate::geometry::{Geometry, Vec2};
 use crate::kernel::SUPPORT;
 use crate::neighbours::Neighbours;
 use serde::{Deserialize, Serialize};
@@ -44,6 +45,24 @@ pub struct Settings {
     pub beta: f64,
     /// Share of the neighbours' velocity in the motion (XSPH, eq. 5.12 with the mean eta); 0 is off.
     pub xsph: f64,
+    /// Whether the axis function f1 is used; without it the form is eqs 5.23, 5.27 and 5.28.
+    #[serde(default = "yes")]
+    pub axis_correction: bool,
+}
+
+fn yes() -> bool {
+    true
+}
+
+impl Settings {
+    /// f1 at radius r and its derivative (1/m).
+    fn axis_correction(&self, geometry: Geometry, r: f64, h: f64) -> (f64, f64) {
+        if self.axis_correction {
+            axis_correction(geometry, r, h)
+        } else {
+            (1.0, 0.0)
+        }
+    }
 }
 
 impl Default for Settings {
@@ -52,6 +71,7 @@ impl Default for Settings {
             alpha: 1.0,
             beta: 2.0,
             xsph: 0.0,
+            axis_correction: true,
         }
     }
 }
@@ -102,9 +122,9 @@ impl Present {
             .collect();
         let (mirrors, open): (Vec<_>, Vec<_>) = all_images(block, position, &reach)
             .into_iter()
-            .partition(|i| i.is_mirror(block));
+            .partition(Image::is_mirror);
         let images = (mirrors.iter().chain(&open))
-            .map(|i| Placed::new(*i, block, position, surfaces))
+            .map(|i| Placed::new(*i, position, surfaces))
             .collect::<Result<Vec<_>, _>>()?;
         let mut smoothing_length = h.to_vec();
         smoothing_length.extend(images.iter().map(|i| h[i.image.source as usize]));
@@ -137,7 +157,11 @@ impl Present {
         let valid = self.list_position.len() == self.position.len()
             && (self.position.iter().zip(&self.list_position))
                 .zip(&self.smoothing_length)
-                .all(|((x, y), h)| (x[0] - y[0]).hypot(x[1] - y[1]) < 0.5 * SKIN * SUPPORT * h);
+                .all(|((x, y), h)| {
+                    // Removed particles are nowhere; their pairs are out of reach.
+                    let moved = (x[0] - y[0]).hypot(x[1] - y[1]);
+                    moved.is_nan() || moved < 0.5 * SKIN * SUPPORT * h
+                });
         if !valid {
             self.list = Neighbours::build(&self.position, &self.smoothing_length, particles, SKIN);
             self.list_position.clone_from(&self.position);
@@ -146,21 +170,16 @@ impl Present {
 }
 
 impl Placed {
-    fn new(
-        image: Image,
-        block: &Block,
-        position: &[Vec2],
-        surfaces: &[Surface],
-    ) -> Result<Self, SolidError> {
+    fn new(image: Image, position: &[Vec2], surfaces: &[Surface]) -> Result<Self, SolidError> {
         let mut point = [None; 2];
-        for (k, side) in image.sides.iter().enumerate() {
-            let Some(side) = side.filter(|s| !block.face(*s).mirrors()) else {
+        for (k, step) in image.steps.iter().enumerate() {
+            let Some(side) = step.filter(|s| s.is_open()).map(|s| s.side) else {
                 continue;
             };
             for (s, surface) in surfaces.iter().enumerate().filter(|(_, s)| s.side == side) {
                 let along = 1 - side.normal_axis();
                 let at = position[image.source as usize][along];
-                point[k] = Some((s, surface.nearest(at, along, position)? as usize));
+                point[k] = Some((s, surface.nearest(at, along, position, false)? as usize));
             }
         }
         Ok(Self { image, point })
@@ -168,6 +187,14 @@ impl Placed {
 }
 
 impl Solid {
+    /// Settings of the published form.
+    fn published(&self) -> Settings {
+        match self.numerics.formulation {
+            Formulation::Joshi(settings) => settings,
+            Formulation::TotalLagrangian => Settings::default(),
+        }
+    }
+
     /// Brings images, face points and neighbours to the present positions and velocities. Depends on the state alone.
     pub(super) fn arrange(&mut self) {
         self.place_moving();

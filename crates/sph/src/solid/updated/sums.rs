@@ -3,7 +3,6 @@
 use super::super::mat2::{Mat2, determinant, inverse, product};
 use super::super::stress::TASK;
 use super::{Present, Solid};
-use crate::fluid::joshi::axis_correction;
 use crate::geometry::Vec2;
 use crate::kernel;
 use rayon::prelude::*;
@@ -55,6 +54,7 @@ impl Solid {
 
     /// Density, eta and area of particles and images by summation.
     pub(super) fn sum_density(&mut self) {
+        let settings = self.published();
         let (present, geometry, n) = (&self.present, self.geometry, self.len());
         let ring = |i: usize| geometry.ring(present.position[i][0].abs());
         let mut mass = self.reference.mass.clone();
@@ -73,7 +73,11 @@ impl Solid {
                         sum += mass[b as usize] * kernel::value(distance, h);
                     }
                 }
-                axis_correction(geometry, present.position[a][0], h).0 * sum / ring(a)
+                settings
+                    .axis_correction(geometry, present.position[a][0], h)
+                    .0
+                    * sum
+                    / ring(a)
             })
             .collect();
         for placed in &present.images {
