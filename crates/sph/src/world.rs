@@ -226,6 +226,10 @@ impl World {
 
     /// Forces on the liquids; their push on the solids.
     fn push_liquids(&mut self, sweeps: &[Sweep], dt: f64) {
+        if sweeps.is_empty() {
+            // Without a liquid the pressures are those that the caller set.
+            return;
+        }
         let lines = wetted_lines(&self.bodies);
         let mut pressures: Vec<Vec<f64>> =
             lines.iter().map(|l| vec![0.0; l.position.len()]).collect();

@@ -15,6 +15,7 @@ pub fn check_advice(simulation: &Simulation) -> Vec<String> {
     for body in &simulation.bodies {
         interface_advice(simulation, body, &mut advice);
     }
+    load_advice(simulation, &mut advice);
     let safety = simulation.run.safety;
     if safety > 0.5 {
         advice.push(format!(
@@ -82,6 +83,47 @@ fn arrival_time(body: &Body, bubble: &Bubble, height: f64) -> f64 {
     let (lower, _) = body.shape.bounding_box();
     let path = (lower[1] + height - bubble.centre[1] - bubble.radius).max(0.0);
     wave.start + path / fluid.eos.sound_speed
+}
+
+/// A load narrower than this many spacings (radius of load or contact) is not resolved: the first rows spread it.
+const PER_LOAD: f64 = 10.0;
+
+/// Loads must be resolved, and slow enough where they are meant to be static.
+fn load_advice(s: &Simulation, advice: &mut Vec<String>) {
+    let mut across = |body: &str, radius: f64, what: &str| {
+        let Some(b) = s.body(body) else { return };
+        let count = radius / b.spacing.finest;
+        if count < PER_LOAD * 0.9999 {
+            advice.push(format!(
+                "{count:.1} particles across the radius of the {what} on `{body}` ({radius:.2e} m) do not resolve it: {PER_LOAD} or more do"
+            ));
+        }
+    };
+    for p in &s.loads.pressures {
+        across(&p.body, 0.5 * p.gaussian.diameter, "pressure");
+    }
+    let Some(i) = &s.loads.indenter else { return };
+    across(&i.body, (2.0 * i.radius * i.depth).sqrt(), "contact");
+    if let Some(body) = s.body(&i.body)
+        && let BodyKind::Solid(solid) = &body.kind
+    {
+        let (lower, upper) = body.shape.bounding_box();
+        let transits =
+            i.ramp.rise * solid.elastic.longitudinal_speed(solid.density) / (upper[1] - lower[1]);
+        if transits < 4.0 {
+            advice.push(format!(
+                "the indenter goes down within {transits:.1} transits of a wave through `{}`: below 4 inertia matters",
+                i.body
+            ));
+        }
+        if i.depth > 0.2 * (upper[1] - lower[1]) {
+            advice.push(format!(
+                "the indenter goes down by {:.0} % of the height of `{}`: its lower side acts on the result",
+                100.0 * i.depth / (upper[1] - lower[1]),
+                i.body
+            ));
+        }
+    }
 }
 
 /// Spacings on both sides of an interface should be alike.

@@ -199,6 +199,7 @@ fn sides(
         top: side(sides, "top", kind)?,
     };
     check_axis(sides, &result, at_axis, findings);
+    check_clamped(sides, &result, kind, findings);
     if matches!(shape, Shape::Disc { .. }) {
         for (name, side) in named(&result) {
             if !matches!(side, Side::Free | Side::Axis) {
@@ -238,6 +239,21 @@ fn check_axis(sides: Fields<'_>, result: &Sides, at_axis: bool, findings: &mut F
     }
 }
 
+/// Only a solid can be bonded to a wall.
+fn check_clamped(sides: Fields<'_>, result: &Sides, kind: &BodyKind, findings: &mut Findings) {
+    for (name, side) in named(result) {
+        if *side == Side::Clamped && matches!(kind, BodyKind::Fluid(_)) {
+            let help = format!("write {name}.rigid = {{}}: a wall that the liquid slides along");
+            findings.error(
+                sides.at(name),
+                "a liquid cannot be clamped",
+                "only for solids",
+                help,
+            );
+        }
+    }
+}
+
 /// The sides with their names.
 pub(crate) fn named(sides: &Sides) -> [(&'static str, &Side); 4] {
     [
@@ -253,6 +269,7 @@ fn side(sides: Fields<'_>, key: &str, kind: &BodyKind) -> Option<Side> {
     Some(match name {
         "axis" => Side::Axis,
         "rigid" => Side::Rigid,
+        "clamped" => Side::Clamped,
         "interface" => Side::Interface {
             with: f.text("with")?.to_owned(),
         },

@@ -4,6 +4,7 @@ use super::{
     body::{self, Built},
     error::{Findings, Span},
     estimate,
+    loads::{self, Loads},
     node::{Fields, Node},
     relations,
     setups::{self, Expansion},
@@ -32,8 +33,9 @@ pub(crate) fn simulation(
     let setup = setup.and_then(|(name, s)| setups::expand(name, s, geometry, library, findings));
     let run = run(f, setup.as_ref(), findings);
     let (bodies, complete) = bodies(f, setup.as_ref(), geometry, library, findings);
-    let of_setup = setup.as_ref().map(|s| s.bubble);
+    let of_setup = setup.as_ref().and_then(|s| s.bubble);
     let bubble = own_bubble(f, &bodies, of_setup, complete, findings).or(of_setup);
+    let loads = loads(f, setup.as_ref(), &bodies, complete, geometry, findings);
     let probes = probes(f, &bodies, complete, findings);
     relations::check(&bodies, complete, geometry, findings);
     estimate::check_memory(&bodies, geometry, findings);
@@ -52,6 +54,7 @@ pub(crate) fn simulation(
         output,
         probes,
         bubble,
+        loads: loads?,
     })
 }
 
@@ -65,7 +68,7 @@ fn bodies(
 ) -> (Vec<Built>, bool) {
     let own = f.list("body");
     if f.node("setup").is_none() && f.node("body").is_none() {
-        let help = "write [setup.bubble_near_wall], [setup.bubble_in_liquid] or [[body]] blocks; `erode new` has templates";
+        let help = "write a setup such as [setup.bubble_near_wall], or [[body]] blocks; `erode new` has templates";
         findings.error(
             f.span,
             "the case has neither a setup nor a body",
@@ -123,6 +126,32 @@ fn output(f: Fields<'_>, end_time: f64) -> Option<Output> {
         history_every: interval("output", "history_every", 1000.0)?,
         checkpoint_every: interval("checkpoint", "every", 20.0)?,
     })
+}
+
+/// The loads of the setup, or those of the file; both at once would be told twice.
+fn loads(
+    f: Fields<'_>,
+    setup: Option<&Expansion>,
+    bodies: &[Built],
+    complete: bool,
+    geometry: Geometry,
+    findings: &mut Findings,
+) -> Option<Loads> {
+    let own = loads::read(f, bodies, complete, geometry, findings)?;
+    match setup.map(|s| &s.loads).filter(|l| !l.is_empty()) {
+        None => Some(own),
+        Some(of_setup) if own == Loads::default() => Some(of_setup.clone()),
+        Some(_) => {
+            let keys = ["indenter", "pressure", "settling"];
+            let at = keys
+                .iter()
+                .find_map(|k| f.node(k))
+                .map_or(f.span, |n| n.span);
+            let help = "leave it out, or write the bodies and loads out as `erode check --resolved` shows them";
+            findings.error(at, "the setup already brings a load", "told twice", help);
+            None
+        }
+    }
 }
 
 fn own_bubble(

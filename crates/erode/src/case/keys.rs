@@ -2,6 +2,7 @@
 
 use super::{
     keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
+    keys_load::{INDENTATION, INDENTER, LOAD, PRESSURE_PULSE, SETTLING},
     keys_material::MATERIAL,
     schema::{
         Kind::{Count, List, Map, Name, Pair, Quantity, Switch, Text},
@@ -42,6 +43,21 @@ pub(crate) static CASE: Table = table(
             "bubble",
             Nested(&BUBBLE),
             "where the empty cavity is, for monitors and theory; a setup knows it",
+        ),
+        optional(
+            "indenter",
+            Nested(&INDENTER),
+            "a rigid indenter on the upper side of a solid",
+        ),
+        optional(
+            "pressure",
+            List(&LOAD),
+            "a pressure on the upper side of a solid",
+        ),
+        optional(
+            "settling",
+            Nested(&SETTLING),
+            "damping of the solids after a load",
         ),
         default("run", Nested(&RUN), "", "duration and stepping"),
         default(
@@ -96,8 +112,23 @@ static SETUP: Table = Table {
             Nested(&BUBBLE_IN_LIQUID),
             "an empty bubble in liquid under pressure, far from walls",
         ),
+        optional(
+            "indentation",
+            Nested(&INDENTATION),
+            "a rigid sphere or cylinder pressed into a block",
+        ),
+        optional(
+            "pressure_pulse",
+            Nested(&PRESSURE_PULSE),
+            "a block hit by a Gaussian pressure",
+        ),
     ],
-    one_of: &["bubble_near_wall", "bubble_in_liquid"],
+    one_of: &[
+        "bubble_near_wall",
+        "bubble_in_liquid",
+        "indentation",
+        "pressure_pulse",
+    ],
 };
 
 static BUBBLE_NEAR_WALL: Table = table(

@@ -68,6 +68,11 @@ static SIDE: Table = Table {
     keys: &[
         optional("axis", Nested(&EMPTY), "the axis of symmetry, r = 0"),
         optional("rigid", Nested(&EMPTY), "a frictionless wall at rest"),
+        optional(
+            "clamped",
+            Nested(&EMPTY),
+            "a wall at rest to which a solid is bonded",
+        ),
         optional("free", Nested(&EMPTY), "nothing: zero traction"),
         optional(
             "non_reflecting",
@@ -76,7 +81,14 @@ static SIDE: Table = Table {
         ),
         optional("interface", Nested(&INTERFACE), "contact with another body"),
     ],
-    one_of: &["axis", "rigid", "free", "non_reflecting", "interface"],
+    one_of: &[
+        "axis",
+        "rigid",
+        "clamped",
+        "free",
+        "non_reflecting",
+        "interface",
+    ],
 };
 
 static NON_REFLECTING: Table = table(

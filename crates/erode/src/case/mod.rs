@@ -15,18 +15,22 @@ pub mod estimate;
 mod json_schema;
 mod keys;
 mod keys_body;
+mod keys_load;
 pub(crate) mod keys_material;
 mod keys_region;
 mod laws;
 pub(crate) mod load;
+mod loads;
 pub(crate) mod node;
 mod overrides;
 pub(crate) mod raw;
 mod relations;
 mod resolved;
 mod resolved_items;
+mod resolved_loads;
 mod schema;
 mod setups;
+mod setups_solid;
 mod simulation;
 pub(crate) mod suggest;
 #[cfg(test)]
@@ -37,6 +41,7 @@ pub use advice::check_advice;
 pub use error::{CaseError, CaseErrors};
 pub use json_schema::json_schema;
 pub use load::{Case, Loaded};
+pub use loads::{Indenter, Loads, Pressure, Ramp, Settling};
 pub use simulation::{
     Body, BodyKind, Bubble, Fluid, FluidFormulation, Output, Probe, Run, Side, Sides, Simulation,
     Solid, SolidFormulation, Wave,

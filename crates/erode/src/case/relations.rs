@@ -77,7 +77,7 @@ fn area_shared(a: &Shape, b: &Shape) -> f64 {
     }
 }
 
-fn extent_help(b: &Built) -> String {
+pub(crate) fn extent_help(b: &Built) -> String {
     let (l, u) = b.body.shape.bounding_box();
     format!(
         "`{}` reaches from ({}, {}) m to ({}, {}) m",
@@ -189,6 +189,27 @@ fn check_interface(
     }
 }
 
+/// The body of a name; an error, in the words of who asks for it, when there is none.
+pub(crate) fn of_name<'a>(
+    name: &str,
+    bodies: &'a [Built],
+    asker: &str,
+    at: Span,
+    findings: &mut Findings,
+) -> Option<&'a Built> {
+    let found = bodies.iter().find(|b| b.body.name == name);
+    if found.is_none() {
+        let names = bodies.iter().map(|b| b.body.name.as_str());
+        findings.error(
+            at,
+            format!("{asker} asks for a body `{name}` that does not exist"),
+            "no such body",
+            did_you_mean(name, names, "bodies"),
+        );
+    }
+    found
+}
+
 /// A probe needs a body, and must lie in it or on its edge.
 pub(crate) fn check_probe(
     probe: &Probe,
@@ -197,18 +218,8 @@ pub(crate) fn check_probe(
     position_at: Span,
     findings: &mut Findings,
 ) {
-    let Some(b) = bodies.iter().find(|b| b.body.name == probe.body) else {
-        let names = bodies.iter().map(|b| b.body.name.as_str());
-        let message = format!(
-            "the probe `{}` asks for a body `{}` that does not exist",
-            probe.name, probe.body
-        );
-        findings.error(
-            body_at,
-            message,
-            "no such body",
-            did_you_mean(&probe.body, names, "bodies"),
-        );
+    let asker = format!("the probe `{}`", probe.name);
+    let Some(b) = of_name(&probe.body, bodies, &asker, body_at, findings) else {
         return;
     };
     if b.body.shape.distance(probe.position) > 0.5 * b.body.spacing.finest {

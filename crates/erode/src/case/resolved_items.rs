@@ -3,6 +3,7 @@
 use super::{
     body::named,
     resolved::{Item, Items},
+    resolved_loads::load_items,
     simulation::{
         Body, BodyKind, Bubble, Fluid, FluidFormulation, Probe, Side, Sides, Simulation, Solid,
         SolidFormulation,
@@ -35,6 +36,7 @@ pub(crate) fn case_items(s: &Simulation) -> Items {
         Item::List(s.bodies.iter().map(body_items).collect()),
     ));
     items.extend(s.bubble.map(|b| ("bubble", Item::Table(bubble_items(&b)))));
+    items.extend(load_items(&s.loads));
     items.push(("run", Item::Table(run)));
     items.push(("output", Item::Table(output)));
     items.push((
@@ -133,6 +135,7 @@ fn side_item(side: &Side) -> Item {
     match side {
         Side::Axis => choice("axis", Vec::new()),
         Side::Rigid => choice("rigid", Vec::new()),
+        Side::Clamped => choice("clamped", Vec::new()),
         Side::Free => choice("free", Vec::new()),
         Side::Interface { with } => choice("interface", vec![("with", Item::Text(with.clone()))]),
         Side::NonReflecting { pressure, wave } => {

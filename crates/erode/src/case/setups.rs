@@ -4,7 +4,9 @@ use super::{
     body::Built,
     error::Findings,
     laws,
+    loads::Loads,
     node::Fields,
+    setups_solid,
     simulation::{Body, BodyKind, Bubble, Fluid, Side, Sides, Solid, Wave},
 };
 use crate::materials::Library;
@@ -12,7 +14,7 @@ use erode_physics::eos::Tait;
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 
 /// Increase of spacing per distance from the core.
-const GROWTH: f64 = 0.06;
+pub(super) const GROWTH: f64 = 0.06;
 /// Rayleigh's collapse time of an empty bubble is 0.915 R sqrt(rho/p).
 const RAYLEIGH: f64 = 0.915;
 
@@ -20,7 +22,8 @@ const RAYLEIGH: f64 = 0.915;
 pub(crate) struct Expansion {
     pub(crate) title: String,
     pub(crate) bodies: Vec<Built>,
-    pub(crate) bubble: Bubble,
+    pub(crate) bubble: Option<Bubble>,
+    pub(crate) loads: Loads,
     pub(crate) end_time: f64,
 }
 
@@ -34,6 +37,8 @@ pub(crate) fn expand(
 ) -> Option<Expansion> {
     match name {
         "bubble_in_liquid" => bubble_in_liquid(fields, geometry, library, findings),
+        "indentation" => setups_solid::indentation(fields, geometry, library, findings),
+        "pressure_pulse" => setups_solid::pressure_pulse(fields, geometry, library, findings),
         _ => bubble_near_wall(fields, geometry, library, findings),
     }
 }
@@ -179,12 +184,13 @@ fn bubble_near_wall(
             fluid.material, solid.material
         ),
         end_time: n.end_time(&eos),
-        bubble: Bubble {
+        bubble: Some(Bubble {
             centre: [0.0, n.distance],
             radius: n.radius,
             wall_distance: Some(n.distance),
             driving_pressure: n.pressure,
-        },
+        }),
+        loads: Loads::default(),
         bodies: vec![
             place(n.liquid(fluid, symmetry(geometry))),
             place(n.wall(solid, symmetry(geometry))),
@@ -223,12 +229,13 @@ fn bubble_in_liquid(
         title,
         // An empty bubble closes at the Rayleigh time, a little later in a compressible liquid.
         end_time: 1.1 * RAYLEIGH * radius * (eos.reference_density / pressure).sqrt(),
-        bubble: Bubble {
+        bubble: Some(Bubble {
             centre: [0.0, 0.0],
             radius,
             wall_distance: None,
             driving_pressure: pressure,
-        },
+        }),
+        loads: Loads::default(),
         bodies: vec![Built::of_setup(body, f.span, f.at("particles_per_radius"))],
     })
 }
@@ -277,7 +284,7 @@ fn ball_of_liquid(
 }
 
 /// The plane of symmetry through the bubble.
-fn symmetry(geometry: Geometry) -> Side {
+pub(super) fn symmetry(geometry: Geometry) -> Side {
     match geometry {
         Geometry::Axisymmetric => Side::Axis,
         Geometry::Plane => Side::Rigid,

@@ -1,5 +1,6 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
+use super::loads::Loads;
 use erode_physics::{Elastic, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
@@ -21,6 +22,9 @@ pub struct Simulation {
     pub probes: Vec<Probe>,
     /// Where the cavity is at the start, for monitors and theory.
     pub bubble: Option<Bubble>,
+    /// What acts on the solids.
+    #[serde(default)]
+    pub loads: Loads,
 }
 
 impl Simulation {
@@ -197,6 +201,8 @@ pub enum Side {
     Axis,
     /// A frictionless wall at rest: a mirror.
     Rigid,
+    /// A wall at rest to which a solid is bonded.
+    Clamped,
     /// Nothing: zero traction.
     #[default]
     Free,

@@ -19,7 +19,7 @@ pub(crate) struct Template {
     pub(crate) text: &'static str,
 }
 
-pub(crate) const TEMPLATES: [Template; 4] = [
+pub(crate) const TEMPLATES: [Template; 6] = [
     Template {
         name: "bubble-near-wall",
         about: "a bubble near a steel wall, hit by a pressure step: jet, ring, pit",
@@ -34,6 +34,16 @@ pub(crate) const TEMPLATES: [Template; 4] = [
         name: "bubble-in-liquid",
         about: "a bubble far from walls under pressure: Rayleigh's collapse",
         text: include_str!("templates/bubble-in-liquid.toml"),
+    },
+    Template {
+        name: "indentation",
+        about: "a sphere pressed into steel and taken away again: force, pit, stress",
+        text: include_str!("../../../../cases/indentation/case.toml"),
+    },
+    Template {
+        name: "pressure-pulse",
+        about: "steel hit by a Gaussian pressure in space and time",
+        text: include_str!("templates/pressure-pulse.toml"),
     },
     Template {
         name: "own-bodies",

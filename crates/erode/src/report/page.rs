@@ -3,7 +3,9 @@
 use super::html::Page;
 use super::instants::Instants;
 use super::run_data::RunData;
-use super::sections::{asked, bubble, energy, fields, probes, results, stepping, strain, wall};
+use super::sections::{
+    asked, bubble, energy, fields, load, probes, results, stepping, strain, wall,
+};
 
 /// The whole page as HTML.
 pub(crate) fn compose(data: &RunData) -> String {
@@ -21,7 +23,9 @@ pub(crate) fn compose(data: &RunData) -> String {
         .last()
         .map_or_else(Vec::new, |frame| frame.read().0);
     fields::write(&mut page, data, &instants, &end);
-    bubble::write(&mut page, data, &instants);
+    if !load::write(&mut page, data, &end) {
+        bubble::write(&mut page, data, &instants);
+    }
     wall::write(&mut page, data, &instants);
     strain::write(&mut page, data, &instants, &end);
     energy::write(&mut page, data);

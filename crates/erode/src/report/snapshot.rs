@@ -91,18 +91,11 @@ impl Body {
         self.snapshot.values(name)
     }
 
-    /// One component of a vector field.
+    /// One component of a vector or tensor field.
     pub(crate) fn component(&self, name: &str, index: usize) -> Option<Vec<f64>> {
-        self.snapshot
-            .field(name)
-            .filter(|field| field.components == 3)?;
-        Some(
-            self.snapshot
-                .values(name)?
-                .chunks_exact(3)
-                .map(|v| v[index])
-                .collect(),
-        )
+        let components = self.snapshot.field(name)?.components;
+        let values = self.snapshot.values(name)?;
+        (index < components).then(|| values.chunks_exact(components).map(|v| v[index]).collect())
     }
 
     /// Solids carry a plastic strain.

@@ -26,7 +26,7 @@ pub(crate) fn fine_view(bodies: &[Body]) -> Option<View> {
 }
 
 /// The view with at most half as much solid below the surface as liquid above it: what happens deeper is seen in the
-/// picture of the plastic strain.
+/// picture of the plastic strain. Unchanged without a liquid.
 fn without_depth(view: View, bodies: &[Body]) -> View {
     let tops = bodies
         .iter()
@@ -34,7 +34,8 @@ fn without_depth(view: View, bodies: &[Body]) -> View {
         .flat_map(|b| &b.position)
         .map(|p| p[1]);
     let surface = tops.fold(f64::NEG_INFINITY, f64::max);
-    if !(view.z[0] < surface && surface < view.z[1]) {
+    let dry = bodies.iter().all(Body::is_solid);
+    if dry || !(view.z[0] < surface && surface < view.z[1]) {
         return view;
     }
     View {

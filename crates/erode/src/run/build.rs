@@ -1,6 +1,6 @@
 //! From a checked case to a world of particles.
 
-use super::RunError;
+use super::{RunError, loads};
 use crate::case::{self, BodyKind, FluidFormulation, Side, Simulation, SolidFormulation};
 use erode_physics::material_point::Material;
 use erode_sph::Geometry;
@@ -38,7 +38,9 @@ pub fn world(simulation: &Simulation) -> Result<World, RunError> {
             })
         })
         .collect::<Result<Vec<_>, RunError>>()?;
-    World::new(bodies, simulation.run.safety).map_err(RunError::from)
+    let mut world = World::new(bodies, simulation.run.safety)?;
+    loads::prepare(&mut world, simulation)?;
+    Ok(world)
 }
 
 /// Particles in cell order.
@@ -127,8 +129,9 @@ fn fluid(
                 };
                 fluid.open_side(&plane, far);
             }
-            // The axis and interfaces are found by the particles themselves; a free side needs nothing.
-            Side::Axis | Side::Free | Side::Interface { .. } => {}
+            // The axis and interfaces are found by the particles themselves; a free side needs nothing; a case never has
+            // a liquid clamped.
+            Side::Axis | Side::Free | Side::Clamped | Side::Interface { .. } => {}
         }
     }
     Ok(fluid)
@@ -185,6 +188,7 @@ fn solid(
     let face = |side: &Side| match side {
         Side::Axis => Face::Axis,
         Side::Rigid => Face::Symmetry,
+        Side::Clamped => Face::Clamped,
         Side::NonReflecting { .. } => Face::Absorbing,
         Side::Free | Side::Interface { .. } => Face::Traction,
     };

@@ -5,6 +5,7 @@ mod drive;
 mod error;
 mod files;
 mod ledger;
+mod loads;
 mod monitor;
 mod observer;
 mod probes;

@@ -54,6 +54,9 @@ pub(crate) struct Record {
     pub energy_scale: f64,
     /// Largest departure of the energy balance, J.
     pub energy_drift: f64,
+    /// Largest force on an indenter, N.
+    #[serde(default)]
+    pub max_indenter_force: f64,
     /// Steps limited by each criterion.
     pub limiters: BTreeMap<String, u64>,
     /// Seconds of computing before a resume.
@@ -107,6 +110,12 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("plastic_volume", "m3"),
             ("wall_depth", "m"),
         ]);
+    }
+    if simulation.loads.indenter.is_some() {
+        names.extend([("indenter_depth", "m"), ("indenter_force", "N")]);
+    }
+    if !simulation.loads.is_empty() {
+        names.push(("inertia_share", "-"));
     }
     names.extend(Ledger::default().entries().map(|(name, _)| (name, "J")));
     names.push(("energy_residual", "J"));
@@ -280,6 +289,12 @@ pub(crate) fn row(
             metal.plastic_volume,
             metal.depth,
         ]);
+        if let Some(i) = &simulation.loads.indenter {
+            values.extend([i.depth_at(world.time), indenter_force(s)]);
+        }
+        if !simulation.loads.is_empty() {
+            values.push(s.inertia_share());
+        }
     }
     values.extend(ledger.entries().map(|(_, value)| value));
     values.push(record.see_energy(&ledger));
@@ -291,6 +306,7 @@ impl Record {
     pub(crate) fn see_step(&mut self, world: &World, limiter: &str) {
         *self.limiters.entry(limiter.to_owned()).or_default() += 1;
         if let Some(s) = solid(world) {
+            self.max_indenter_force = self.max_indenter_force.max(indenter_force(s));
             self.max_strain_rate = self
                 .max_strain_rate
                 .max(largest(&s.state.plastic_strain_rate));
@@ -375,6 +391,12 @@ impl Metal {
             depth: pit_depth(s),
         }
     }
+}
+
+/// Force that the solid puts on its indenter upwards, N (per metre in plane).
+pub(crate) fn indenter_force(s: &Solid) -> f64 {
+    s.surface(Side::Top)
+        .map_or(0.0, |top| -top.contact_force()[1])
 }
 
 /// Depth of the deepest surface point below the mean of the outer third of the surface, m.

@@ -22,7 +22,7 @@ pub(crate) fn summary(
 ) -> Summary {
     let mut s = Summary::default();
     bubble(&mut s, world, simulation, record);
-    metal(&mut s, world, record);
+    metal(&mut s, world, simulation, record);
     s.set(
         "energy_drift",
         "-",
@@ -134,12 +134,14 @@ fn arrival(simulation: &Simulation) -> f64 {
         .unwrap_or(0.0)
 }
 
-fn metal(s: &mut Summary, world: &World, record: &Record) {
+fn metal(s: &mut Summary, world: &World, simulation: &Simulation, record: &Record) {
     let Some(body) = solid(world) else { return };
     let metal = Metal::of(body);
-    s.set("peak_wall_pressure", "Pa", record.peak_wall_pressure[0]);
-    s.set("peak_wall_pressure_r", "m", record.peak_wall_pressure[1]);
-    s.set("peak_wall_pressure_time", "s", record.peak_wall_pressure[2]);
+    if simulation.loads.indenter.is_none() || !simulation.loads.pressures.is_empty() {
+        s.set("peak_wall_pressure", "Pa", record.peak_wall_pressure[0]);
+        s.set("peak_wall_pressure_r", "m", record.peak_wall_pressure[1]);
+        s.set("peak_wall_pressure_time", "s", record.peak_wall_pressure[2]);
+    }
     s.set("max_plastic_strain", "-", metal.max_plastic_strain);
     s.set("max_plastic_strain_r", "m", metal.place[0]);
     s.set("max_plastic_strain_depth", "m", metal.place[1]);
@@ -151,6 +153,13 @@ fn metal(s: &mut Summary, world: &World, record: &Record) {
     s.set("plastic_work", "J", metal.plastic_work);
     s.set("plastic_volume", "m3", metal.plastic_volume);
     s.set("pit_depth", "m", metal.depth);
+    if simulation.loads.indenter.is_some() {
+        s.set("max_indenter_force", "N", record.max_indenter_force);
+    }
+    if !simulation.loads.is_empty() {
+        // Far below 1: the load was slow enough to be called static.
+        s.set("inertia_share", "-", body.inertia_share());
+    }
 }
 
 /// What was counted instead of being lost in silence.

@@ -4,7 +4,7 @@ use super::drive::Ended;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
-use super::{RunError, results, state, watch};
+use super::{RunError, loads, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{Checkpoint, RunFolder, State};
 use erode_sph::world::{Body, Limiter, World};
@@ -76,6 +76,7 @@ impl Run {
             RunError::Checkpoint(format!("its {what} is not readable ({e})"))
         };
         state::restore(&mut world, checkpoint, &extra["accounts"])?;
+        loads::prepare(&mut world, &simulation)?;
         let files = Files::open(folder, &simulation, &world, Some(extra))?;
         let last = world.stable_time_step();
         let mut run = Self::with(files, simulation, world, hash, last);
@@ -192,8 +193,14 @@ impl Run {
         self.meet_the_end();
         let (dt, limiter) = self.last.clone();
         if finding.is_none() {
+            let loads = &self.simulation.loads;
+            let end = self.world.time + dt;
+            loads::apply(&mut self.world, loads, end);
             finding = match self.world.advance(dt) {
-                Ok(()) => watch::implausible(&self.world),
+                Ok(()) => {
+                    loads::settle(&mut self.world, loads, dt);
+                    watch::implausible(&self.world)
+                }
                 Err(error) => Some(watch::failed_step(error, &limiter)?),
             };
         }

@@ -191,7 +191,7 @@ pub(super) fn strain_layer(body: &Body, largest: f64) -> Option<Layer<'_>> {
     })
 }
 
-fn colouring(label: &str, unit: &str, range: [f64; 2], map: ColourMap) -> Colouring {
+pub(super) fn colouring(label: &str, unit: &str, range: [f64; 2], map: ColourMap) -> Colouring {
     Colouring {
         label: label.to_string(),
         unit: unit.to_string(),

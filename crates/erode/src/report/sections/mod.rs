@@ -4,6 +4,7 @@ pub(super) mod asked;
 pub(super) mod bubble;
 pub(super) mod energy;
 pub(super) mod fields;
+pub(super) mod load;
 pub(super) mod probes;
 pub(super) mod results;
 pub(super) mod stepping;

@@ -7,7 +7,7 @@ use crate::report::run_data::RunData;
 use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
-const KEY_RESULTS: [(&str, &str); 24] = [
+const KEY_RESULTS: [(&str, &str); 28] = [
     (
         "collapse_time",
         "Collapse time, from the arrival of the wave",
@@ -27,6 +27,11 @@ const KEY_RESULTS: [(&str, &str); 24] = [
     ("max_plastic_strain", "Largest plastic strain"),
     ("max_plastic_strain_r", "… at the radius"),
     ("max_plastic_strain_depth", "… at the depth"),
+    (
+        "off_axis_plastic_strain",
+        "Largest plastic strain apart from the axis",
+    ),
+    ("off_axis_plastic_strain_r", "… at the radius"),
     ("max_strain_rate", "Largest plastic strain rate"),
     ("plastic_volume", "Volume that yielded"),
     ("plastic_work", "Plastic work"),
@@ -40,6 +45,11 @@ const KEY_RESULTS: [(&str, &str); 24] = [
     ),
     ("pit_depth", "Pit depth"),
     ("pit_radius", "Pit radius"),
+    ("max_indenter_force", "Largest force of the indenter"),
+    (
+        "inertia_share",
+        "Kinetic over internal energy at the end",
+    ),
     ("energy_drift", "Energy ledger, closing error"),
     ("energy_residual", "… in joules"),
     ("mass_drift", "Mass, closing error"),

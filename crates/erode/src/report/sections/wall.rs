@@ -39,6 +39,10 @@ impl<'a> WallPressure<'a> {
         })
     }
 
+    fn is_zero(&self) -> bool {
+        self.pressure.iter().all(|p| p.iter().all(|v| *v == 0.0))
+    }
+
     fn profile(&self, row: usize) -> Vec<[f64; 2]> {
         self.radius
             .iter()
@@ -48,10 +52,19 @@ impl<'a> WallPressure<'a> {
     }
 }
 
-/// Writes the section.
+/// Whether a rigid indenter loads the solid instead of a pressure.
+fn indented(data: &RunData) -> bool {
+    data.history_points("indenter_force").is_some()
+}
+
+/// Writes the section; nothing for an indented solid without pressure.
 pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
+    let wall = data.wall.as_ref().and_then(WallPressure::of);
+    if indented(data) && wall.as_ref().is_none_or(WallPressure::is_zero) {
+        return;
+    }
     page.section("Pressure at the wall");
-    let Some(wall) = data.wall.as_ref().and_then(WallPressure::of) else {
+    let Some(wall) = wall else {
         page.absent(
             "No wall pressure was recorded: surface/wall_pressure.csv is missing or empty.",
         );
