@@ -40,7 +40,7 @@ impl Indenter {
             radius,
             centre,
             velocity: [0.0; 2],
-            stiffness: 1.0,
+            stiffness: 4.0,
             damping: 0.5,
         }
     }
