@@ -1,6 +1,7 @@
 //! The front of Erode: case files, runs, reports.
 
 pub mod case;
+pub mod erosion;
 pub mod materials;
 pub mod output;
 pub mod report;

@@ -33,6 +33,26 @@ fn axis_consistency() {
 }
 
 #[test]
+fn wave_in_bar() {
+    quick("wave-in-bar", &[]);
+}
+
+#[test]
+fn plate_impact() {
+    quick("plate-impact", &[]);
+}
+
+#[test]
+fn taylor_bar() {
+    quick("taylor-bar", &[]);
+}
+
+#[test]
+fn mass_loss() {
+    quick("mass-loss", &[]);
+}
+
+#[test]
 fn interface_wave() {
     quick("interface-wave", &[]);
 }
@@ -72,6 +92,10 @@ fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
         "axis-consistency",
+        "wave-in-bar",
+        "plate-impact",
+        "taylor-bar",
+        "mass-loss",
         "interface-wave",
         "indentation-axisym",
         "indentation-planestrain",

@@ -29,6 +29,10 @@ const EMBEDDED: &[(&str, &str)] = &[
         include_str!("../../../../materials/copper_annealed.toml"),
     ),
     (
+        "copper_ofhc",
+        include_str!("../../../../materials/copper_ofhc.toml"),
+    ),
+    (
         "steel_1045",
         include_str!("../../../../materials/steel_1045.toml"),
     ),

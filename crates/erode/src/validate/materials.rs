@@ -21,6 +21,11 @@ pub(super) fn water() -> Result<Tait, Failure> {
     named("water")?.fluid().map_err(missing)
 }
 
+/// Density (kg/m3), elasticity and yield law of a solid of the library.
+pub(super) fn named_solid(name: &str, terms: Terms) -> Result<(f64, Elastic, Strength), Failure> {
+    named(name)?.solid(terms).map_err(missing)
+}
+
 /// Density (kg/m3), elasticity and Johnson-Cook law of A-2205.
 pub(super) fn steel() -> Result<(f64, Elastic, Strength), Failure> {
     let terms = Terms {

@@ -16,11 +16,14 @@ mod interface_wave;
 mod johnson_cook_point;
 mod main_case;
 mod markdown;
+mod mass_loss;
 mod materials;
 mod number;
 mod rayleigh_collapse;
 mod steel_lattice;
+mod stress_waves;
 mod table;
+mod taylor_bar;
 
 pub use check::{Check, Kind};
 pub use error::{Failure, ValidateError};
@@ -87,9 +90,13 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 9] = [
+pub const ALL: [Validation; 13] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
+    stress_waves::BAR,
+    stress_waves::PLATE,
+    taylor_bar::VALIDATION,
+    mass_loss::VALIDATION,
     interface_wave::VALIDATION,
     indentation_axisym::VALIDATION,
     indentation_planestrain::VALIDATION,
