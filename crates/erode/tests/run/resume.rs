@@ -185,6 +185,19 @@ fn a_file_that_cannot_grow_stops_the_run_and_loses_nothing() {
     assert_identical(&dir, &finished(CASE).dir);
 }
 
+/// A load follows time alone: a run that goes on from a checkpoint finds it where it was.
+#[test]
+fn an_indentation_goes_on_to_the_same_bits() {
+    let dirs = ["indented", "indented-again"].map(fresh);
+    for dir in &dirs {
+        let output = start("indentation", dir, &[]).wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+    }
+    fs::remove_file(&checkpoints(&dirs[1])[1]).unwrap();
+    says(&["resume", dirs[1].to_str().unwrap()]);
+    assert_identical(&dirs[0], &dirs[1]);
+}
+
 /// The published forms carry other state than the default ones; without its last checkpoint a finished run is one that
 /// was killed after the one before.
 #[test]

@@ -54,7 +54,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData, end: &[Body]) -> bool {
     let last = inertia.iter().rev().find(|v| v.is_finite());
     if let Some(last) = last {
         page.paragraph(&format!(
-            "Kinetic energy over internal energy at the end: {last:.1e}. Far below 1 the load was slow enough to be called static."
+            "Kinetic energy over internal energy at the end: {last:.1e} (far below 1 what is left is at rest)."
         ));
     }
     figures.extend(stresses(end));
