@@ -185,7 +185,7 @@ fn sums(
             "m",
             (pit, DEPTH),
             0.02,
-            "what the penalty of the contact gives way: 1 % of a spacing at 2 GPa, and half a strip at the edge",
+            "the penalty of the contact gives way by 0.3 % of a spacing at 2 GPa, and the first point is half a spacing beside the axis",
         ),
         Check::absolute(
             "kinetic / internal energy at the end",

@@ -66,8 +66,8 @@ fn pressure_is_that_of_hertz() {
             middle / expected
         );
         assert!((6..30).contains(&touching));
-        // The edge of contact is known to one spacing of about ten.
-        assert!((middle / expected - 1.0).abs() < 0.04);
+        // The edge of contact is known to one spacing of about ten, which shifts some of the load.
+        assert!((middle / expected - 1.0).abs() < 0.02);
     }
 }
 
