@@ -1,6 +1,6 @@
 //! The energy ledger of a world.
 //!
-//! liquid (kinetic + compression) + solid (kinetic + elastic + plastic work) + dissipation = start + work of the boundaries
+//! liquid (kinetic + compression) + solid (kinetic + elastic + plastic work) + lost + dissipation = start + work of the boundaries
 
 use erode_sph::world::{Body, World};
 
@@ -19,8 +19,10 @@ pub struct Ledger {
     pub plastic_work: f64,
     /// Numerical dissipation in liquids.
     pub liquid_dissipation: f64,
-    /// Viscous and hourglass dissipation in solids.
+    /// Dissipation by viscosity, hourglass forces and damage in solids.
     pub solid_dissipation: f64,
+    /// Kinetic and elastic energy of material that failed and was removed.
+    pub solid_lost: f64,
     /// Work of the far fields on liquids and of absorbing faces on solids.
     pub boundary_work: f64,
 }
@@ -43,7 +45,8 @@ impl Ledger {
                     l.solid_kinetic += e.kinetic;
                     l.solid_elastic += e.elastic;
                     l.plastic_work += e.plastic_work;
-                    l.solid_dissipation += w.viscous + w.hourglass;
+                    l.solid_dissipation += w.viscous + w.hourglass + e.damage_work;
+                    l.solid_lost += w.lost.kinetic + w.lost.elastic;
                     l.boundary_work += w.absorbing;
                 }
             }
@@ -61,12 +64,13 @@ impl Ledger {
             + self.plastic_work
             + self.liquid_dissipation
             + self.solid_dissipation
+            + self.solid_lost
             - self.boundary_work
     }
 
     /// Names and values, as in `history.csv` and `summary.json`.
     #[must_use]
-    pub fn entries(&self) -> [(&'static str, f64); 8] {
+    pub fn entries(&self) -> [(&'static str, f64); 9] {
         [
             ("energy_liquid_kinetic", self.liquid_kinetic),
             ("energy_liquid_compression", self.liquid_compression),
@@ -75,6 +79,7 @@ impl Ledger {
             ("energy_plastic_work", self.plastic_work),
             ("energy_liquid_dissipation", self.liquid_dissipation),
             ("energy_solid_dissipation", self.solid_dissipation),
+            ("energy_solid_lost", self.solid_lost),
             ("energy_boundary_work", self.boundary_work),
         ]
     }

@@ -106,6 +106,7 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("plastic_work", "J"),
             ("plastic_volume", "m3"),
             ("wall_depth", "m"),
+            ("lost_mass", "kg"),
         ]);
     }
     names.extend(Ledger::default().entries().map(|(name, _)| (name, "J")));
@@ -279,6 +280,7 @@ pub(crate) fn row(
             metal.plastic_work,
             metal.plastic_volume,
             metal.depth,
+            s.state.work.lost.mass,
         ]);
     }
     values.extend(ledger.entries().map(|(_, value)| value));

@@ -146,6 +146,10 @@ fn metal(s: &mut Summary, world: &World, record: &Record) {
     s.set("plastic_work", "J", metal.plastic_work);
     s.set("plastic_volume", "m3", metal.plastic_volume);
     s.set("pit_depth", "m", metal.depth);
+    let lost = body.state.work.lost;
+    s.set("lost_mass", "kg", lost.mass);
+    s.set_ledger("particles_failed", "-", lost.failed as f64);
+    s.set_ledger("particles_loose", "-", lost.loose as f64);
 }
 
 /// What was counted instead of being lost in silence.

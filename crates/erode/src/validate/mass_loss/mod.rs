@@ -95,7 +95,13 @@ impl Eroded {
                 c.mean_rate,
             ),
             shown("mass lost at the end", "kg", c.final_loss),
-            shown("largest strain rate", "1/s", f.strain_rate),
+            Check::shown(
+                format!("{title}: largest strain rate before the first loss"),
+                "1/s",
+                f.strain_rate,
+                None,
+                "the source says of the order of 1e3",
+            ),
             shown("particles that came loose / lost", "-", f.loose),
             Check::absolute(
                 format!("{title}: mass in the body and lost, beside the first, less 1"),

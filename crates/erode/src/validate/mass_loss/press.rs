@@ -39,7 +39,7 @@ pub(super) struct Pressed {
     pub(super) line: Vec<[f64; 2]>,
     /// Largest of these.
     pub(super) line_strain: f64,
-    /// Largest plastic strain rate, 1/s.
+    /// Largest plastic strain rate before the first loss, 1/s.
     pub(super) strain_rate: f64,
     /// Particles that came loose over all lost.
     pub(super) loose: f64,
@@ -126,7 +126,9 @@ impl Case {
             }
             if step % 16 == 0 {
                 lost.push([time, solid.state.work.lost.mass]);
-                strain_rate = largest(&solid.state.plastic_strain_rate).max(strain_rate);
+                if solid.state.work.lost.mass == 0.0 && time > 2.0 * RISE {
+                    strain_rate = largest(&solid.state.plastic_strain_rate).max(strain_rate);
+                }
             }
         }
         let (work, gone) = (solid.state.work, solid.state.work.lost);
