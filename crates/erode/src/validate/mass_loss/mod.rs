@@ -86,7 +86,7 @@ impl Eroded {
         };
         vec![
             shown("time of the first loss", "s", c.onset),
-            shown("depth of the pit then", "m", c.onset * press::SPEED),
+            shown("depth of the pit then", "m", press::motion(c.onset)[0]),
             shown("nominal incubation time", "s", c.nominal_incubation),
             shown("largest erosion rate", "kg/s", c.max_rate),
             shown(
@@ -173,6 +173,10 @@ fn trend_of_rate(without: &Eroded, with: &Eroded) -> (Vec<Check>, String) {
     ];
     let (mut said, mut checks) = (Vec::new(), Vec::new());
     for (what, value, (low, high, printed)) in rows {
+        if value.is_nan() {
+            said.push(format!("{what}: nothing yields there"));
+            continue;
+        }
         checks.push(Check::at_least(
             format!("{title}: {what}"),
             "-",
