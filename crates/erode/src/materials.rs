@@ -9,7 +9,7 @@ mod library;
 pub use library::Library;
 
 use crate::case::node::{Data, Fields};
-use erode_physics::{Elastic, eos::Tait, strength::Strength};
+use erode_physics::{Elastic, damage::Damage, eos::Tait, strength::Strength};
 use laws::Need;
 use std::collections::BTreeMap;
 
@@ -159,6 +159,16 @@ impl Material {
         };
         let strength = need.strength(terms);
         need.finish((density, elastic, strength))
+    }
+
+    /// Damage law of that name: `rupture_strain`, `linear_modulus_loss` or `johnson_cook`.
+    ///
+    /// # Errors
+    /// The paths of the properties that are missing.
+    pub fn damage(&self, law: &str) -> Result<Damage, Vec<String>> {
+        let mut need = Need::new(self);
+        let damage = need.damage(law);
+        need.finish(damage)
     }
 
     /// Whether the material can be used as a liquid.

@@ -100,6 +100,7 @@ fn kind(f: Fields<'_>, library: &Library, findings: &mut Findings) -> Option<Bod
         density,
         elastic,
         strength,
+        damage: laws::damage(solid, "material", library, findings)?,
         formulation: laws::solid_formulation(solid, "formulation")?,
         velocity: solid.pair("velocity")?,
     }))

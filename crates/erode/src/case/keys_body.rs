@@ -2,6 +2,7 @@
 
 use super::{
     keys::ANY_PRESSURE,
+    keys_damage::DAMAGE,
     keys_material::{ELASTIC, STRENGTH, TAIT},
     keys_region::{SHAPE, SIDES},
     schema::{
@@ -118,6 +119,11 @@ static SOLID: Table = table(
             Nested(&STRENGTH),
             "yield law that replaces that of the material",
         ),
+        optional(
+            "damage",
+            Nested(&DAMAGE),
+            "law by which it fails; constants not given are the material's, without this key it never fails",
+        ),
         default(
             "strain_rate",
             Switch,
@@ -171,6 +177,11 @@ static TOTAL_LAGRANGIAN: Table = table(
             Quantity(NUMBER, NotNegative),
             "0.1",
             "penalty on motion that the gradient does not see",
+        ),
+        optional(
+            "renewal",
+            Quantity(NUMBER, Within(1.05, 100.0)),
+            "stretch since the last one at which the present configuration becomes the reference; never when absent",
         ),
     ],
 );

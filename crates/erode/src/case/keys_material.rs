@@ -1,6 +1,7 @@
 //! The keys of a material: `materials/NAME.toml`, and `[material.NAME]` in a case.
 
 use super::{
+    keys_damage::DAMAGE,
     schema::{
         Kind::{Property, Table as Nested, Text, Texts},
         Range::{Between, NotNegative, Positive, Within},
@@ -57,6 +58,7 @@ static SOLID: Table = table(
         optional("density", Property(DENSITY, Positive), "density at rest"),
         optional("elastic", Nested(&ELASTIC), "isotropic elasticity"),
         optional("strength", Nested(&STRENGTH), "yield law"),
+        optional("damage", Nested(&DAMAGE), "damage law"),
     ],
 );
 

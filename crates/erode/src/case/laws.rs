@@ -7,7 +7,7 @@ use super::{
     suggest::{closest, did_you_mean},
 };
 use crate::materials::{Library, Material, Terms};
-use erode_physics::{Elastic, eos::Tait, strength::Strength};
+use erode_physics::{Elastic, damage::Damage, eos::Tait, strength::Strength};
 
 /// Equation of state of the liquid named under `key`; `own` are constants given on the spot.
 pub(crate) fn fluid(
@@ -70,6 +70,33 @@ pub(crate) fn solid(
                 library,
                 findings,
             );
+            None
+        }
+    }
+}
+
+/// Damage law of the solid named under `key`, where the case asks for one.
+pub(crate) fn damage(
+    fields: Fields<'_>,
+    key: &str,
+    library: &Library,
+    findings: &mut Findings,
+) -> Option<Damage> {
+    let Some((law, _)) = fields.chosen("damage") else {
+        return Some(Damage::None);
+    };
+    let name = fields.text(key)?;
+    let material = with_own(name, "solid", Some(fields), library);
+    match material.damage(law) {
+        Ok(damage) => Some(damage),
+        Err(missing) => {
+            let usable = library
+                .iter()
+                .filter(|m| m.damage(law).is_ok())
+                .map(|m| m.name.as_str());
+            let role = format!("a solid that fails by {law}");
+            let at = fields.at("damage");
+            report(at, name, &role, &missing, usable, library, findings);
             None
         }
     }
@@ -192,6 +219,7 @@ pub(crate) fn solid_formulation(fields: Fields<'_>, key: &str) -> Option<SolidFo
         _ => SolidFormulation::TotalLagrangian {
             viscosity: f.number("viscosity")?,
             hourglass: f.number("hourglass")?,
+            renewal: f.number("renewal"),
         },
     })
 }

@@ -15,6 +15,7 @@ pub mod estimate;
 mod json_schema;
 mod keys;
 mod keys_body;
+mod keys_damage;
 mod keys_load;
 pub(crate) mod keys_material;
 mod keys_region;

@@ -9,6 +9,7 @@ use super::{
         SolidFormulation,
     },
 };
+use erode_physics::damage::Damage;
 use erode_physics::strength::{JohnsonCook, Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 
@@ -185,13 +186,15 @@ fn solid_items(s: &Solid) -> Items {
         SolidFormulation::TotalLagrangian {
             viscosity,
             hourglass,
-        } => choice(
-            "total_lagrangian",
-            vec![
+            renewal,
+        } => {
+            let mut items = vec![
                 ("viscosity", Item::Number(viscosity)),
                 ("hourglass", Item::Number(hourglass)),
-            ],
-        ),
+            ];
+            items.extend(renewal.map(|r| ("renewal", Item::Number(r))));
+            choice("total_lagrangian", items)
+        }
         SolidFormulation::Joshi { alpha, beta, xsph } => choice(
             "joshi",
             vec![
@@ -208,7 +211,7 @@ fn solid_items(s: &Solid) -> Items {
             ..
         })
     );
-    vec![
+    let mut items = vec![
         ("material", Item::Text(s.material.clone())),
         ("density", Item::Number(s.density)),
         ("elastic", Item::Table(elastic)),
@@ -217,7 +220,35 @@ fn solid_items(s: &Solid) -> Items {
         ("thermal_softening", Item::Switch(thermal)),
         ("velocity", Item::Pair(s.velocity)),
         ("formulation", formulation),
-    ]
+    ];
+    items.extend(damage_item(&s.damage).map(|d| ("damage", d)));
+    items
+}
+
+fn damage_item(damage: &Damage) -> Option<Item> {
+    match damage {
+        Damage::None => None,
+        Damage::RuptureStrain(law) => {
+            let name = if law.modulus_loss {
+                "linear_modulus_loss"
+            } else {
+                "rupture_strain"
+            };
+            let strain = Item::Number(law.rupture_strain);
+            Some(choice(name, vec![("rupture_strain", strain)]))
+        }
+        Damage::JohnsonCook(law) => Some(choice(
+            "johnson_cook",
+            vec![
+                ("d1", Item::Number(law.d1)),
+                ("d2", Item::Number(law.d2)),
+                ("d3", Item::Number(law.d3)),
+                ("d4", Item::Number(law.d4)),
+                ("d5", Item::Number(law.d5)),
+                ("reference_rate", Item::Number(law.reference_rate)),
+            ],
+        )),
+    }
 }
 
 fn strength_item(strength: &Strength) -> Item {

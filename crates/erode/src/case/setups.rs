@@ -10,6 +10,7 @@ use super::{
     simulation::{Body, BodyKind, Bubble, Fluid, Side, Sides, Solid, Wave},
 };
 use crate::materials::Library;
+use erode_physics::damage::Damage;
 use erode_physics::eos::Tait;
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 
@@ -173,6 +174,7 @@ fn bubble_near_wall(
         density,
         elastic,
         strength,
+        damage: Damage::None,
         formulation: laws::solid_formulation(f, "wall_formulation")?,
         velocity: [0.0; 2],
     };

@@ -1,7 +1,7 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
 use super::loads::Loads;
-use erode_physics::{Elastic, eos::Tait, strength::Strength};
+use erode_physics::{Elastic, damage::Damage, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
 
@@ -152,6 +152,9 @@ pub struct Solid {
     pub elastic: Elastic,
     /// Yield law; without the strain-rate term its `c` is zero.
     pub strength: Strength,
+    /// When it fails.
+    #[serde(default)]
+    pub damage: Damage,
     /// Discrete form.
     pub formulation: SolidFormulation,
     /// Velocity at the start, m/s.
@@ -168,6 +171,9 @@ pub enum SolidFormulation {
         viscosity: f64,
         /// Hourglass penalty zeta, dimensionless.
         hourglass: f64,
+        /// Stretch at which the reference configuration is renewed; never when absent.
+        #[serde(default)]
+        renewal: Option<f64>,
     },
     /// The published updated form (Joshi 2018, eqs 5.46, 5.47).
     Joshi {

@@ -235,6 +235,27 @@ fn own_bodies_get_the_defaults_that_follow_from_their_place() {
 }
 
 #[test]
+fn damage_is_asked_for_by_the_case_and_completed_by_the_library() {
+    use erode_physics::damage::Damage;
+    let with = |set: &[&str]| read(UNUSUAL, set).body("hot").unwrap().kind.clone();
+    let of = |set: &[&str]| match with(set) {
+        BodyKind::Solid(s) => s.damage,
+        BodyKind::Fluid(_) => panic!("hot is a solid"),
+    };
+    assert_eq!(of(&[]), Damage::None);
+    // A-2205 has a rupture strain in the library; the case may give another.
+    let Damage::RuptureStrain(law) = of(&["body.hot.solid.damage.linear_modulus_loss={}"]) else {
+        panic!("a rupture strain")
+    };
+    assert!(law.modulus_loss && law.rupture_strain == 0.25);
+    let own = of(&["body.hot.solid.damage.rupture_strain.rupture_strain=0.03"]);
+    let Damage::RuptureStrain(law) = own else {
+        panic!("a rupture strain")
+    };
+    assert!(!law.modulus_loss && law.rupture_strain == 0.03);
+}
+
+#[test]
 fn overrides_replace_add_and_address_blocks_by_name_or_number() {
     let s = read(
         NEAR_STEEL,

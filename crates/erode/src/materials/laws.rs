@@ -1,6 +1,7 @@
 //! Filling the constants of laws from a material, noting what is missing.
 
 use super::{Material, Terms};
+use erode_physics::damage::{Damage, JohnsonCookDamage, RuptureStrain};
 use erode_physics::strength::{JohnsonCook, Strength, Thermal};
 
 /// Collects what is missing while laws are filled in.
@@ -74,6 +75,49 @@ impl<'a> Need<'a> {
             c,
             reference_rate,
             thermal,
+        }
+    }
+
+    pub(super) fn damage(&mut self, law: &str) -> Damage {
+        match law {
+            "rupture_strain" | "linear_modulus_loss" => Damage::RuptureStrain(RuptureStrain {
+                rupture_strain: self.rupture_strain(law),
+                modulus_loss: law == "linear_modulus_loss",
+            }),
+            _ => Damage::JohnsonCook(self.johnson_cook_damage()),
+        }
+    }
+
+    /// The same number serves both laws, unless the one asked for has its own.
+    fn rupture_strain(&mut self, law: &str) -> f64 {
+        let own = format!("solid.damage.{law}.rupture_strain");
+        if self.material.properties.contains_key(&own) {
+            return self.get(&own);
+        }
+        self.get("solid.damage.rupture_strain.rupture_strain")
+    }
+
+    /// Rate and temperatures are needed where their coefficients are not zero.
+    fn johnson_cook_damage(&mut self) -> JohnsonCookDamage {
+        let path = |key: &str| format!("solid.damage.johnson_cook.{key}");
+        let [d1, d2, d3, d4, d5] = ["d1", "d2", "d3", "d4", "d5"].map(|key| self.get(&path(key)));
+        let reference_rate = if d4 == 0.0 {
+            1.0
+        } else {
+            self.get(&path("reference_rate"))
+        };
+        let temperatures = (d5 != 0.0).then(|| {
+            ["reference_temperature", "melting_temperature"]
+                .map(|key| self.get(&format!("solid.strength.johnson_cook.{key}")))
+        });
+        JohnsonCookDamage {
+            d1,
+            d2,
+            d3,
+            d4,
+            d5,
+            reference_rate,
+            temperatures,
         }
     }
 }

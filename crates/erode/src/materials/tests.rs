@@ -113,3 +113,33 @@ fn files_of_a_folder_replace_those_of_the_program_and_need_sources() {
         ["fluid.tait.reference_density", "fluid.tait.sound_speed"]
     );
 }
+
+#[test]
+fn johnson_cook_damage_of_the_library_makes_tension_brittle() {
+    use erode_physics::damage::{Damage, PlasticStep};
+    let library = library();
+    let at = |name: &str, triaxiality| {
+        let m = library.get(name).unwrap();
+        let law = m.damage("johnson_cook");
+        let Ok(Damage::JohnsonCook(law)) = law else {
+            return Err(law);
+        };
+        Ok(law.failure_strain(PlasticStep {
+            increment: 1e-3,
+            rate: 1.0,
+            triaxiality,
+            temperature: 293.0,
+        }))
+    };
+    // 0.54 + 4.89 exp(-1.01) in a tensile bar of OFHC copper.
+    assert!((at("copper_ofhc", 1.0 / 3.0).unwrap() - 2.321).abs() < 1e-3);
+    assert!(at("copper_ofhc", 1.0).unwrap() < at("copper_ofhc", 0.0).unwrap());
+    // What the sources of the others do not give is named.
+    let missing = at("titanium_6al4v", 0.0).unwrap_err().unwrap_err();
+    assert!(missing.contains(&"solid.damage.johnson_cook.reference_rate".to_owned()));
+    let missing = library.get("steel_1045").unwrap().damage("rupture_strain");
+    assert_eq!(
+        missing.unwrap_err(),
+        ["solid.damage.rupture_strain.rupture_strain"]
+    );
+}

@@ -159,9 +159,11 @@ fn numerics(f: SolidFormulation, safety: f64) -> Numerics {
         SolidFormulation::TotalLagrangian {
             viscosity,
             hourglass,
+            renewal,
         } => Numerics {
             viscosity,
             hourglass,
+            renewal,
             courant,
             ..usual
         },
@@ -219,6 +221,7 @@ fn solid(
         body: body.name.clone(),
         source,
     })?;
+    solid.damage = s.damage;
     solid.state.velocity.fill(s.velocity);
     Ok(solid)
 }

@@ -1,6 +1,6 @@
 //! The energy ledger of a world.
 //!
-//! liquid (kinetic + compression) + solid (kinetic + elastic + plastic and damage work) + dissipation + lost
+//! liquid (kinetic + compression) + solid (kinetic + elastic + plastic work) + dissipation + lost
 //!     = start + work of the boundaries
 
 use erode_sph::world::{Body, World};
@@ -20,12 +20,10 @@ pub struct Ledger {
     pub plastic_work: f64,
     /// Numerical dissipation in liquids.
     pub liquid_dissipation: f64,
-    /// Viscous and hourglass dissipation in solids, and what damping took out.
+    /// Dissipation by viscosity, hourglass forces and damage in solids, and what damping took out.
     pub solid_dissipation: f64,
-    /// Dissipated by loss of modulus.
-    pub damage_work: f64,
-    /// Kinetic and elastic energy of material that was taken out.
-    pub lost: f64,
+    /// Kinetic and elastic energy of material that failed and was removed.
+    pub solid_lost: f64,
     /// Work of the far fields on liquids, of absorbing and driven faces and of loads on solids. (The pressure of a liquid on
     /// a solid is no boundary.)
     pub boundary_work: f64,
@@ -50,9 +48,8 @@ impl Ledger {
                     l.solid_kinetic += e.kinetic;
                     l.solid_elastic += e.elastic;
                     l.plastic_work += e.plastic_work;
-                    l.solid_dissipation += w.viscous + w.hourglass + w.damping;
-                    l.damage_work += e.damage_work;
-                    l.lost += w.lost.kinetic + w.lost.elastic;
+                    l.solid_dissipation += w.viscous + w.hourglass + w.damping + e.damage_work;
+                    l.solid_lost += w.lost.kinetic + w.lost.elastic;
                     l.boundary_work += w.absorbing + w.driving;
                     if !wet {
                         l.boundary_work += w.pressure;
@@ -73,14 +70,13 @@ impl Ledger {
             + self.plastic_work
             + self.liquid_dissipation
             + self.solid_dissipation
-            + self.damage_work
-            + self.lost
+            + self.solid_lost
             - self.boundary_work
     }
 
     /// Names and values, as in `history.csv` and `summary.json`.
     #[must_use]
-    pub fn entries(&self) -> [(&'static str, f64); 10] {
+    pub fn entries(&self) -> [(&'static str, f64); 9] {
         [
             ("energy_liquid_kinetic", self.liquid_kinetic),
             ("energy_liquid_compression", self.liquid_compression),
@@ -89,8 +85,7 @@ impl Ledger {
             ("energy_plastic_work", self.plastic_work),
             ("energy_liquid_dissipation", self.liquid_dissipation),
             ("energy_solid_dissipation", self.solid_dissipation),
-            ("energy_damage_work", self.damage_work),
-            ("energy_lost", self.lost),
+            ("energy_solid_lost", self.solid_lost),
             ("energy_boundary_work", self.boundary_work),
         ]
     }

@@ -109,6 +109,7 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("plastic_work", "J"),
             ("plastic_volume", "m3"),
             ("wall_depth", "m"),
+            ("lost_mass", "kg"),
         ]);
     }
     if simulation.loads.indenter.is_some() {
@@ -288,6 +289,7 @@ pub(crate) fn row(
             metal.plastic_work,
             metal.plastic_volume,
             metal.depth,
+            s.state.work.lost.mass,
         ]);
         if let Some(i) = &simulation.loads.indenter {
             values.extend([i.depth_at(world.time), indenter_force(s)]);

@@ -167,6 +167,8 @@ pub(crate) fn snapshot(body: &Body, time: f64) -> Snapshot {
                     "K",
                     Data::F64(q.temperature.clone()),
                 ))
+                .with(Field::scalar("damage", "-", Data::F64(q.damage.clone())))
+                .with(Field::scalar("removed", "-", Data::F64(q.removed.clone())))
                 .with(Field::scalar(
                     "area",
                     "m2",

@@ -160,6 +160,10 @@ fn metal(s: &mut Summary, world: &World, simulation: &Simulation, record: &Recor
         // Far below 1: the load was slow enough to be called static.
         s.set("inertia_share", "-", body.inertia_share());
     }
+    let lost = body.state.work.lost;
+    s.set("lost_mass", "kg", lost.mass);
+    s.set_ledger("particles_failed", "-", lost.failed as f64);
+    s.set_ledger("particles_loose", "-", lost.loose as f64);
 }
 
 /// What was counted instead of being lost in silence.

@@ -150,7 +150,7 @@ const PLAIN: Terms = Terms {
 };
 
 fn cases(quick: bool) -> Vec<Case> {
-    let spacings: [usize; 3] = if quick { [5, 7, 10] } else { [10, 20, 40] };
+    let spacings: [usize; 3] = if quick { [7, 10, 14] } else { [10, 20, 40] };
     let case = |material, terms, across, renewal| Case {
         material,
         terms,
@@ -281,14 +281,15 @@ fn convergence(bars: &[Bar], quick: bool) -> Vec<Check> {
 
 /// The second bar and the fourth differ by the renewal of the reference only.
 fn renewed(bars: &[Bar]) -> Vec<Check> {
-    let why = "both forms converge to the same bar; at this spacing each is a few percent from it";
+    let why =
+        "both forms converge to the same bar; at the middle spacing each is up to 2 % from it";
     let (plain, renewed) = (&bars[1], &bars[3]);
     let relative = |what: &str, pair: (f64, f64), tolerance| {
         let quantity = format!("renewed reference beside the first one: {what}");
         Check::relative(quantity, "m", pair, tolerance, why)
     };
     vec![
-        relative("length", (renewed.length, plain.length), 0.02),
+        relative("length", (renewed.length, plain.length), 0.03),
         relative("largest diameter", (renewed.diameter, plain.diameter), 0.03),
     ]
 }

@@ -7,7 +7,7 @@ use crate::report::run_data::RunData;
 use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
-const KEY_RESULTS: [(&str, &str); 28] = [
+const KEY_RESULTS: [(&str, &str); 29] = [
     (
         "collapse_time",
         "Collapse time, from the arrival of the wave",
@@ -35,6 +35,7 @@ const KEY_RESULTS: [(&str, &str); 28] = [
     ("max_strain_rate", "Largest plastic strain rate"),
     ("plastic_volume", "Volume that yielded"),
     ("plastic_work", "Plastic work"),
+    ("lost_mass", "Mass that failed and was removed"),
     (
         "bubble_energy",
         "Energy of the bubble, pressure times volume",

@@ -86,7 +86,7 @@ impl Eroded {
         };
         vec![
             shown("time of the first loss", "s", c.onset),
-            shown("depth of the pit then", "m", c.onset * press::SPEED),
+            shown("depth of the pit then", "m", press::motion(c.onset)[0]),
             shown("nominal incubation time", "s", c.nominal_incubation),
             shown("largest erosion rate", "kg/s", c.max_rate),
             shown(
@@ -95,7 +95,13 @@ impl Eroded {
                 c.mean_rate,
             ),
             shown("mass lost at the end", "kg", c.final_loss),
-            shown("largest strain rate", "1/s", f.strain_rate),
+            Check::shown(
+                format!("{title}: largest strain rate before the first loss"),
+                "1/s",
+                f.strain_rate,
+                None,
+                "the source says of the order of 1e3",
+            ),
             shown("particles that came loose / lost", "-", f.loose),
             Check::absolute(
                 format!("{title}: mass in the body and lost, beside the first, less 1"),
@@ -167,6 +173,10 @@ fn trend_of_rate(without: &Eroded, with: &Eroded) -> (Vec<Check>, String) {
     ];
     let (mut said, mut checks) = (Vec::new(), Vec::new());
     for (what, value, (low, high, printed)) in rows {
+        if value.is_nan() {
+            said.push(format!("{what}: nothing yields there"));
+            continue;
+        }
         checks.push(Check::at_least(
             format!("{title}: {what}"),
             "-",

@@ -11,7 +11,7 @@ use erode_sph::solid::{Driven, Face, Formulation, Side, Solid, Tangential};
 const SIZE: [f64; 2] = [1e-3, 0.8e-3];
 const RUPTURE_STRAIN: f64 = 0.03;
 /// Velocity of the top on the axis, m/s: strain rates of some 1e3 1/s, as in the source.
-pub(super) const SPEED: f64 = 1.0;
+const SPEED: f64 = 1.0;
 /// s: a pit of 18 um (at the 6 um of figure 5.5 the strain under R = 0.4 mm is 0.02, below failure).
 pub(super) const DURATION: f64 = 18e-6;
 /// Depth of the pit at which strains are compared along the line, m.
@@ -39,7 +39,7 @@ pub(super) struct Pressed {
     pub(super) line: Vec<[f64; 2]>,
     /// Largest of these.
     pub(super) line_strain: f64,
-    /// Largest plastic strain rate, 1/s.
+    /// Largest plastic strain rate before the first loss, 1/s.
     pub(super) strain_rate: f64,
     /// Particles that came loose over all lost.
     pub(super) loose: f64,
@@ -126,7 +126,9 @@ impl Case {
             }
             if step % 16 == 0 {
                 lost.push([time, solid.state.work.lost.mass]);
-                strain_rate = largest(&solid.state.plastic_strain_rate).max(strain_rate);
+                if solid.state.work.lost.mass == 0.0 && time > 2.0 * RISE {
+                    strain_rate = largest(&solid.state.plastic_strain_rate).max(strain_rate);
+                }
             }
         }
         let (work, gone) = (solid.state.work, solid.state.work.lost);
@@ -143,7 +145,7 @@ impl Case {
 }
 
 /// Depth and velocity of the pit.
-fn motion(time: f64) -> [f64; 2] {
+pub(super) fn motion(time: f64) -> [f64; 2] {
     let x = (time / RISE).min(1.0);
     let depth = SPEED * (RISE * x * x * x * (1.0 - 0.5 * x) + (time - RISE).max(0.0));
     [depth, SPEED * x * x * (3.0 - 2.0 * x)]
