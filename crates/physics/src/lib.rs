@@ -1,8 +1,9 @@
-//! Laws at a point: tensors, equations of state, elasticity, strength.
+//! Laws at a point: tensors, equations of state, elasticity, strength, spherical bubbles.
 //!
 //! Pure functions and small structs; no particles, no grid, no files. SI units throughout;
 //! pressure is positive in compression, stress positive in tension.
 
+pub mod bubble;
 pub mod eos;
 pub mod material_point;
 pub mod return_mapping;
