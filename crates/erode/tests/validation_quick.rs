@@ -52,6 +52,16 @@ fn attached_cavity() {
 }
 
 #[test]
+fn bubble_rayleigh() {
+    quick("bubble-rayleigh", &[]);
+}
+
+#[test]
+fn bubble_acoustic() {
+    quick("bubble-acoustic", &[]);
+}
+
+#[test]
 fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
@@ -60,6 +70,8 @@ fn none_is_forgotten() {
         "rayleigh-collapse",
         "detached-cavity",
         "attached-cavity",
+        "bubble-rayleigh",
+        "bubble-acoustic",
     ];
     assert_eq!(names(), tested);
 }

@@ -1,6 +1,7 @@
 //! What can go wrong with validations.
 
 use crate::case::suggest::closest;
+use erode_physics::bubble::BubbleError;
 use erode_physics::material_point::PathError;
 use erode_sph::packing::PackingError;
 use erode_sph::solid::SolidError;
@@ -42,6 +43,9 @@ pub enum Failure {
     /// A material point could not be driven along its path.
     #[error("the material point failed: {0}")]
     Path(#[from] PathError),
+    /// A bubble could not be integrated.
+    #[error("the bubble failed: {0}")]
+    Bubble(#[from] BubbleError),
     /// A run stopped.
     #[error("the run stopped: {0}")]
     Run(String),

@@ -5,6 +5,7 @@
 //! for `erode validate`.
 
 mod axis_consistency;
+mod bubble;
 mod check;
 mod error;
 mod figure;
@@ -82,13 +83,15 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 6] = [
+pub const ALL: [Validation; 8] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
     rayleigh_collapse::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,
+    bubble::RAYLEIGH,
+    bubble::ACOUSTIC,
 ];
 
 /// Names of all validations.
