@@ -19,8 +19,8 @@ pub enum BubbleError {
     },
     /// No content of gas keeps a bubble of this radius in stable equilibrium at this pressure.
     #[error(
-        "a bubble of radius {radius:e} m has no stable equilibrium at {pressure:e} Pa: the pressure must be above its \
-         Blake threshold of {threshold:e} Pa; raise the pressure, take a smaller bubble, or give its gas pressure"
+        "a bubble of radius {radius:.4e} m has no stable equilibrium at {pressure:.4e} Pa: the pressure must be above its \
+         Blake threshold of {threshold:.4e} Pa; raise the pressure, take a smaller bubble, or give its gas pressure"
     )]
     NoEquilibriumOfRadius {
         /// Radius, m.
@@ -32,8 +32,8 @@ pub enum BubbleError {
     },
     /// This content of gas has no equilibrium at this pressure.
     #[error(
-        "a bubble with this gas has no equilibrium at {pressure:e} Pa: its Blake threshold is {threshold:e} Pa (at the \
-         critical radius {critical_radius:e} m), below which it grows without bound"
+        "a bubble with this gas has no equilibrium at {pressure:.4e} Pa: its Blake threshold is {threshold:.4e} Pa (at the \
+         critical radius {critical_radius:.4e} m), below which it grows without bound"
     )]
     NoEquilibriumOfGas {
         /// Pressure of the liquid, Pa.
@@ -46,7 +46,7 @@ pub enum BubbleError {
     /// More steps than allowed.
     #[error(
         "the bubble needed more than {max_steps} steps between {start:e} s and {until:e} s and got to {time:e} s (radius \
-         {radius:e} m, wall velocity {wall_velocity:e} m/s); allow more steps or a larger tolerance"
+         {radius:.4e} m, wall velocity {wall_velocity:.4e} m/s); allow more steps or a larger tolerance"
     )]
     StepLimit {
         /// Steps allowed.
@@ -64,7 +64,7 @@ pub enum BubbleError {
     },
     /// The time step fell below what time can resolve, or the law gave no finite number.
     #[error(
-        "{model}: the time step fell to {step:e} s at {time:e} s (radius {radius:e} m, wall velocity {wall_velocity:e} m/s, \
+        "{model}: the time step fell to {step:e} s at {time:e} s (radius {radius:.4e} m, wall velocity {wall_velocity:.4e} m/s, \
          Mach number {mach:.3}): {reason}"
     )]
     StepTooSmall {

@@ -12,7 +12,8 @@ const SHOWN: usize = 20;
 /// Whether the run is one of a single spherical bubble.
 pub(crate) fn is(data: &RunData) -> bool {
     let history = data.history.as_ref();
-    history.is_some_and(|h| h.column("wall_velocity").is_some() && h.column("bubble_radius").is_some())
+    history
+        .is_some_and(|h| h.column("wall_velocity").is_some() && h.column("bubble_radius").is_some())
 }
 
 /// Writes the section.
@@ -48,7 +49,10 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
     )]);
     page.figures(&[
         (ambient.to_svg(), "Pressure of the liquid, given.".into()),
-        (phase.to_svg(), "Wall velocity against radius, growth positive.".into()),
+        (
+            phase.to_svg(),
+            "Wall velocity against radius, growth positive.".into(),
+        ),
     ]);
     write_events(page, data);
 }
@@ -63,11 +67,18 @@ fn write_events(page: &mut Page, data: &RunData) {
         .take(SHOWN)
         .map(|i| {
             let number = |name: &str, unit: &str| {
-                column(name).get(i).map_or(String::new(), |v| quantity(*v, unit))
+                column(name)
+                    .get(i)
+                    .map_or(String::new(), |v| quantity(*v, unit))
             };
             let largest = column("largest").get(i) == Some(&1.0);
             vec![
-                if largest { "largest: a collapse begins" } else { "smallest: it rebounds" }.into(),
+                if largest {
+                    "largest: a collapse begins"
+                } else {
+                    "smallest: it rebounds"
+                }
+                .into(),
                 number("time", "s"),
                 number("bubble_radius", "m"),
                 number("bubble_pressure", "Pa"),
@@ -79,7 +90,13 @@ fn write_events(page: &mut Page, data: &RunData) {
         page.absent("The radius had no largest or smallest value.");
         return;
     }
-    let heads = ["radius", "time", "", "pressure in the bubble", "pressure of the liquid"];
+    let heads = [
+        "radius",
+        "time",
+        "",
+        "pressure in the bubble",
+        "pressure of the liquid",
+    ];
     page.table(&heads, &rows);
     if events.rows() > SHOWN {
         page.paragraph(&format!(
