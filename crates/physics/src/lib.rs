@@ -1,8 +1,10 @@
-//! Laws at a point: tensors, equations of state, elasticity, strength; nuclei, collapses near walls and what they announce.
+//! Laws at a point: tensors, equations of state, elasticity, strength, spherical bubbles, nuclei, collapses near walls and
+//! what they announce.
 //!
 //! Pure functions and small structs; no particles, no grid, no files. SI units throughout;
 //! pressure is positive in compression, stress positive in tension.
 
+pub mod bubble;
 pub mod eos;
 pub mod erosion;
 pub mod material_point;

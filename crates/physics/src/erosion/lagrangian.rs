@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 
 /// A collapse of a spherical bubble near a wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Collapse {
+pub struct NearWallCollapse {
     /// Largest radius, at the beginning, m.
     pub max_radius: f64,
     /// Smallest radius, at the end, m.
@@ -83,7 +83,7 @@ impl Default for LagrangianModel {
     }
 }
 
-impl Collapse {
+impl NearWallCollapse {
     fn possible(&self) -> bool {
         let all = [
             self.max_radius,
@@ -98,7 +98,7 @@ impl Collapse {
 impl LagrangianModel {
     /// What a collapse does to the wall.
     #[must_use]
-    pub fn assess(&self, collapse: &Collapse) -> Assessment {
+    pub fn assess(&self, collapse: &NearWallCollapse) -> Assessment {
         if !collapse.possible() {
             return Assessment::Impossible;
         }
@@ -135,8 +135,8 @@ impl LagrangianModel {
 mod tests {
     use super::*;
 
-    fn collapse(standoff: f64) -> Collapse {
-        Collapse {
+    fn collapse(standoff: f64) -> NearWallCollapse {
+        NearWallCollapse {
             max_radius: 1e-3,
             min_radius: 1e-4,
             pressure: 1e8,
@@ -181,12 +181,12 @@ mod tests {
             model.assess(&collapse(3.01)),
             Assessment::TooFar(_)
         ));
-        let upside_down = Collapse {
+        let upside_down = NearWallCollapse {
             min_radius: 2e-3,
             ..collapse(1.0)
         };
         assert_eq!(model.assess(&upside_down), Assessment::Impossible);
-        let behind = Collapse {
+        let behind = NearWallCollapse {
             wall_distance: -1e-3,
             ..collapse(1.0)
         };
