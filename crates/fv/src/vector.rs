@@ -3,8 +3,6 @@
 /// Three components.
 pub(crate) type Vector = [f64; 3];
 
-pub(crate) const ZERO: Vector = [0.0; 3];
-
 /// a + b.
 pub(crate) fn add(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]

@@ -34,7 +34,12 @@ pub fn advance_all<M: BubbleModel + ?Sized, D: Driving + Send + Sync, W: Watch +
         .par_iter_mut()
         .enumerate()
         .filter_map(|(index, member)| {
-            let Member { gas, state, driving, watch } = member;
+            let Member {
+                gas,
+                state,
+                driving,
+                watch,
+            } = member;
             advance(model, liquid, gas, driving, controls, state, until, watch)
                 .err()
                 .map(|error| (index, error))

@@ -30,8 +30,7 @@ pub fn equilibrium_gas(
     probe.check()?;
     positive("size of pressure", "Pa", pressure.abs(), true)?;
     let capillary = 2.0 * liquid.surface_tension / radius;
-    let threshold =
-        liquid.vapour_pressure - capillary * (1.0 - 1.0 / (3.0 * polytropic_exponent));
+    let threshold = liquid.vapour_pressure - capillary * (1.0 - 1.0 / (3.0 * polytropic_exponent));
     if pressure <= threshold {
         return Err(BubbleError::NoEquilibriumOfRadius {
             radius,
@@ -67,7 +66,12 @@ pub fn blake_pressure(liquid: &Liquid, gas: &Gas) -> f64 {
 pub fn equilibrium_radius(liquid: &Liquid, gas: &Gas, pressure: f64) -> Result<f64, BubbleError> {
     liquid.check()?;
     gas.check()?;
-    positive("gas_pressure of a bubble at rest", "Pa", gas.pressure, false)?;
+    positive(
+        "gas_pressure of a bubble at rest",
+        "Pa",
+        gas.pressure,
+        false,
+    )?;
     let threshold = blake_pressure(liquid, gas);
     let critical = critical_radius(liquid, gas);
     if pressure <= threshold {
@@ -131,7 +135,10 @@ mod tests {
             assert!(error.to_string().contains("Blake threshold"), "{error}");
             // A bubble made at its critical radius is refused with the same threshold.
             let made = equilibrium_gas(&Liquid::WATER, critical, threshold, k).unwrap_err();
-            let BubbleError::NoEquilibriumOfRadius { threshold: told, .. } = made else {
+            let BubbleError::NoEquilibriumOfRadius {
+                threshold: told, ..
+            } = made
+            else {
                 panic!("{made}");
             };
             assert!((told - threshold).abs() < 1e-9 * threshold.abs());
@@ -164,6 +171,9 @@ mod tests {
     #[test]
     fn negative_radius_is_named() {
         let error = equilibrium_gas(&Liquid::WATER, -1e-6, 1e5, 1.4).unwrap_err();
-        assert!(error.to_string().starts_with("radius is -1e-6 m"), "{error}");
+        assert!(
+            error.to_string().starts_with("radius is -1e-6 m"),
+            "{error}"
+        );
     }
 }

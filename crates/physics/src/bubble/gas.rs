@@ -106,10 +106,22 @@ mod tests {
         };
         assert!(good.check().is_ok());
         for bad in [
-            Gas { pressure: -1.0, ..good },
-            Gas { radius: 0.0, ..good },
-            Gas { polytropic_exponent: 0.9, ..good },
-            Gas { polytropic_exponent: f64::NAN, ..good },
+            Gas {
+                pressure: -1.0,
+                ..good
+            },
+            Gas {
+                radius: 0.0,
+                ..good
+            },
+            Gas {
+                polytropic_exponent: 0.9,
+                ..good
+            },
+            Gas {
+                polytropic_exponent: f64::NAN,
+                ..good
+            },
         ] {
             assert!(matches!(bad.check(), Err(BubbleError::OutOfRange { .. })));
         }

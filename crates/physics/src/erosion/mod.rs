@@ -10,7 +10,7 @@ mod potential;
 mod shock_decay;
 
 pub use asymmetric_pressure::{PressureRatio, STANDOFF_RANGE, pressure_ratio};
-pub use lagrangian::{Assessment, NearWallCollapse, Contact, Impact, LagrangianModel};
+pub use lagrangian::{Assessment, Contact, Impact, LagrangianModel, NearWallCollapse};
 pub use micro_jet::{JetImpact, MicroJetModel, critical_speed, micro_jet_speed, water_hammer};
 pub use potential::{PotentialMap, SurfaceError, WallElement};
 pub use shock_decay::ShockDecay;

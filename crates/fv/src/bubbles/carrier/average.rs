@@ -20,7 +20,7 @@ pub struct Average {
 /// # Errors
 /// If the centre, or all six points, are outside the flow.
 pub fn surface_average(
-    flow: &dyn Carrier,
+    flow: &impl Carrier,
     centre: Vector,
     radius: f64,
     time: f64,

@@ -62,7 +62,7 @@ impl CarrierPoint {
     }
 
     /// Whether all numbers are finite and density and viscosity positive or zero.
-    pub(crate) fn sound(&self) -> bool {
+    pub(crate) fn is_sound(&self) -> bool {
         let vectors = [self.velocity, self.pressure_gradient, self.acceleration];
         let all = vectors.iter().chain(&self.velocity_gradient);
         all.into_iter().all(|v| finite(*v))

@@ -20,7 +20,11 @@ impl<M: BubbleModel + ?Sized, D: Driving + ?Sized> Stepping<'_, M, D> {
         } else {
             self.driving.at(state.time).pressure_rate <= 0.0
         };
-        let phase = if grows { Phase::Growth } else { Phase::Collapse };
+        let phase = if grows {
+            Phase::Growth
+        } else {
+            Phase::Collapse
+        };
         self.change_phase(state, phase);
         if !grows && significant {
             self.begin_collapse(state, watch);

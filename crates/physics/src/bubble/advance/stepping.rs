@@ -120,7 +120,11 @@ impl<M: BubbleModel + ?Sized, D: Driving + ?Sized> Stepping<'_, M, D> {
                 state.counters.rejected += 1;
                 continue;
             }
-            let grown = h * if rejections == 0 { trial.factor } else { trial.factor.min(1.0) };
+            let grown = h * if rejections == 0 {
+                trial.factor
+            } else {
+                trial.factor.min(1.0)
+            };
             // A step cut by the end says little about the size of the next one.
             state.next_step = if last { grown.max(wanted) } else { grown };
             self.judge_stiffness(state, &trial);
@@ -183,7 +187,11 @@ impl<M: BubbleModel + ?Sized, D: Driving + ?Sized> Stepping<'_, M, D> {
         }
         if trial.values[1] * direction(state) < 0.0 {
             // Too weak a turn to be reported (see `turn`).
-            let phase = if trial.values[1] > 0.0 { Phase::Growth } else { Phase::Collapse };
+            let phase = if trial.values[1] > 0.0 {
+                Phase::Growth
+            } else {
+                Phase::Collapse
+            };
             self.change_phase(state, phase);
         }
     }

@@ -19,11 +19,7 @@ enum Form {
 }
 
 /// Times of the stages of Radau IIA.
-pub(super) const RADAU_C: [f64; 3] = [
-    0.155_051_025_721_682_2,
-    0.644_948_974_278_317_8,
-    1.0,
-];
+pub(super) const RADAU_C: [f64; 3] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
 
 impl DenseStep {
     pub(super) fn empty(start: &Start, length: f64) -> Self {

@@ -107,7 +107,13 @@ fn factor(error: f64) -> f64 {
 }
 
 /// Dense output of order 7 (three more rates).
-fn coefficients(law: &impl Rates, start: &Start, end: &Values, k: &mut Stages, h: f64) -> DenseStep {
+fn coefficients(
+    law: &impl Rates,
+    start: &Start,
+    end: &Values,
+    k: &mut Stages,
+    h: f64,
+) -> DenseStep {
     for (i, weights) in EXTRA.iter().enumerate() {
         let [radius, velocity] = stage(start, k, h, weights);
         k[13 + i] = law.rates(start.time + C[13 + i] * h, radius, velocity);

@@ -92,7 +92,13 @@ fn solve_stages(
     for _ in 0..NEWTON_STEPS {
         let (mut matrix, residual) = newton_system(law, start, h, jacobian, &z);
         let change = eliminate(&mut matrix, residual)?;
-        let end = [start.values[0] + z[2][0], start.values[1] + z[2][1], 0.0, 0.0, 0.0];
+        let end = [
+            start.values[0] + z[2][0],
+            start.values[1] + z[2][1],
+            0.0,
+            0.0,
+            0.0,
+        ];
         let scale = tolerance.scales(start, &end, h);
         let mut size: f64 = 0.0;
         for i in 0..6 {
@@ -121,7 +127,11 @@ fn newton_system(
     let mut residual = [0.0; 6];
     let rates: [Values; 3] = std::array::from_fn(|j| {
         let [dr, dv] = z[j];
-        law.rates(start.time + C[j] * h, start.values[0] + dr, start.values[1] + dv)
+        law.rates(
+            start.time + C[j] * h,
+            start.values[0] + dr,
+            start.values[1] + dv,
+        )
     });
     for i in 0..3 {
         residual[2 * i] = -z[i][0];
@@ -143,7 +153,8 @@ fn newton_system(
 /// Gaussian elimination with partial pivoting; `None` if singular or not finite.
 fn eliminate(m: &mut [[f64; 6]; 6], mut b: [f64; 6]) -> Option<[f64; 6]> {
     for column in 0..6 {
-        let pivot = (column..6).max_by(|&a, &b| m[a][column].abs().total_cmp(&m[b][column].abs()))?;
+        let pivot =
+            (column..6).max_by(|&a, &b| m[a][column].abs().total_cmp(&m[b][column].abs()))?;
         m.swap(column, pivot);
         b.swap(column, pivot);
         let diagonal = m[column][column];
@@ -171,7 +182,11 @@ fn eliminate(m: &mut [[f64; 6]; 6], mut b: [f64; 6]) -> Option<[f64; 6]> {
 fn increments(law: &impl Rates, start: &Start, h: f64, z: &[[f64; 2]; 3]) -> [Values; 3] {
     let rates: [Values; 3] = std::array::from_fn(|j| {
         let [dr, dv] = z[j];
-        law.rates(start.time + C[j] * h, start.values[0] + dr, start.values[1] + dv)
+        law.rates(
+            start.time + C[j] * h,
+            start.values[0] + dr,
+            start.values[1] + dv,
+        )
     });
     std::array::from_fn(|i| {
         std::array::from_fn(|k| match k {
