@@ -155,10 +155,11 @@ impl<'a, C: Carrier> Traveller<'a, C> {
     /// Pressure and slip along the substep.
     fn driving(&self) -> Linear {
         let [start_time, end_time] = self.ends;
-        let radius = self.bubble.state.radius;
+        let (radius, rate) = (self.bubble.state.radius, self.bubble.state.wall_velocity);
+        let ahead = radius + rate * (end_time - start_time);
         let leg = Leg {
             flow: self.flow,
-            radius: [radius; 2],
+            radius: [radius, ahead.clamp(0.5 * radius, 2.0 * radius)],
             duration: end_time - start_time,
         };
         let velocity = self.bubble.velocity;
