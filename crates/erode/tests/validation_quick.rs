@@ -52,6 +52,21 @@ fn attached_cavity() {
 }
 
 #[test]
+fn bubble_rise() {
+    quick("bubble-rise", &[]);
+}
+
+#[test]
+fn bubble_vortex() {
+    quick("bubble-vortex", &[]);
+}
+
+#[test]
+fn erosion_formulae() {
+    quick("erosion-formulae", &[]);
+}
+
+#[test]
 fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
@@ -60,6 +75,9 @@ fn none_is_forgotten() {
         "rayleigh-collapse",
         "detached-cavity",
         "attached-cavity",
+        "bubble-rise",
+        "bubble-vortex",
+        "erosion-formulae",
     ];
     assert_eq!(names(), tested);
 }

@@ -5,7 +5,11 @@
 //! for `erode validate`.
 
 mod axis_consistency;
+mod bubble_rise;
+mod bubble_vortex;
 mod check;
+mod columns;
+mod erosion_formulae;
 mod error;
 mod figure;
 mod interface_wave;
@@ -82,13 +86,16 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 6] = [
+pub const ALL: [Validation; 9] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
     rayleigh_collapse::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,
+    bubble_rise::VALIDATION,
+    bubble_vortex::VALIDATION,
+    erosion_formulae::VALIDATION,
 ];
 
 /// Names of all validations.
