@@ -5,7 +5,7 @@
 
 use super::carrier::{Carrier, CarrierError};
 use super::records::{Begin, CloudLedger, CollapseRecord, Fate, Lost};
-use super::settings::Settings;
+use super::settings::{Settings, SettingsError};
 use super::traveller::{Bubble, Stop, Traveller};
 use crate::vector::{Vector, finite};
 use erode_physics::bubble::{BubbleError, BubbleState, Gas};
@@ -36,6 +36,9 @@ pub enum CloudError {
     /// Data of a bubble.
     #[error("the bubble cannot be put in: {0}")]
     Bubble(#[from] BubbleError),
+    /// A setting.
+    #[error("the cloud cannot be computed: {0}")]
+    Settings(#[from] SettingsError),
     /// A place, velocity or mass that is not a number.
     #[error("the bubble cannot be put in: its {quantity} must be finite{also}")]
     NotFinite {
@@ -154,7 +157,7 @@ impl Cloud {
     /// moves to `lost` and is counted.
     ///
     /// # Errors
-    /// If time would run backwards, or the flow has no answer within its domain; the cloud is then as before.
+    /// If time would run backwards, a setting is out of range, or the flow has no answer within its domain; the cloud is then as before.
     pub fn advance<C: Carrier>(
         &mut self,
         carrier: &C,
@@ -167,6 +170,7 @@ impl Cloud {
                 until,
             });
         }
+        settings.check()?;
         let outcomes: Vec<Outcome> = (0..self.len())
             .into_par_iter()
             .map(|k| travel(carrier, settings, self.get(k), (self.time, until)))

@@ -15,5 +15,5 @@ mod traveller;
 
 pub use cloud::{Cloud, CloudError, NewBubble};
 pub use records::{Begin, CloudLedger, CollapseRecord, Fate, Lost, deposit};
-pub use settings::{Averaging, Settings};
+pub use settings::{Averaging, Settings, SettingsError};
 pub use totals::Totals;

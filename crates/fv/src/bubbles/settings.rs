@@ -1,9 +1,10 @@
 //! How a cloud is computed.
 
 use super::forces::Forces;
-use erode_physics::bubble::{Controls, Liquid, Model};
+use erode_physics::bubble::{BubbleError, Controls, Liquid, Model};
 use erode_physics::erosion::LagrangianModel;
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// Where the flow around a bubble is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -55,8 +56,42 @@ pub struct Settings {
     pub max_substeps: u64,
 }
 
+/// A setting that no cloud can be computed with.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SettingsError {
+    /// A number that is not positive.
+    #[error("{name} is {value}, but it must be positive")]
+    NotPositive {
+        /// Which.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// Of the liquid.
+    #[error(transparent)]
+    Liquid(#[from] BubbleError),
+}
+
 impl Settings {
-    /// Usual settings: switching is left to the caller; radii by `dynamics`, all forces of a flow, values at the centre.
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// Names the first number that is out of range.
+    pub fn check(&self) -> Result<(), SettingsError> {
+        self.liquid.check()?;
+        let numbers = [
+            ("courant", self.courant),
+            ("time_share", self.time_share),
+            ("radius_share", self.radius_share),
+            ("tolerance", self.controls.tolerance),
+        ];
+        match numbers.into_iter().find(|(_, x)| x.is_nan() || *x <= 0.0) {
+            Some((name, value)) => Err(SettingsError::NotPositive { name, value }),
+            None => Ok(()),
+        }
+    }
+
+    /// Usual settings: radii by `dynamics`, all forces of a flow without gravity, values at the centre, no slip term.
     #[must_use]
     pub fn new(liquid: Liquid, dynamics: Option<Model>) -> Self {
         Self {

@@ -15,6 +15,7 @@ const X4: f64 = 1.328_005_544;
 const A1: f64 = -0.008_835_77;
 const A2: f64 = 0.037_110_25;
 const A3: f64 = 0.287_940_7;
+/// Radius at which both parts meet, um.
 const JOINT: f64 = 2.2;
 
 /// Integral of the distribution with its printed constants.
@@ -53,7 +54,7 @@ pub(super) fn printed_density(radius: f64) -> f64 {
     let r = radius / MICRO;
     let value = if r <= 0.0 {
         0.0
-    } else if r <= JOINT {
+    } else if radius <= JOINT * MICRO {
         (A1 * r * r + A2 * r) / A3
     } else {
         let bell = X3 / (2.0 * PI * X2 * X2).sqrt() * (-0.5 * (r / X2).powi(2)).exp();
@@ -72,7 +73,7 @@ pub(super) fn cumulative(radius: f64) -> f64 {
     let r = radius / MICRO;
     if r <= 0.0 {
         0.0
-    } else if r <= JOINT {
+    } else if radius <= JOINT * MICRO {
         head(r)[0] / PRINTED_INTEGRAL
     } else {
         1.0 - tail(r)[0] / PRINTED_INTEGRAL

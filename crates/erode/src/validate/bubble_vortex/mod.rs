@@ -35,7 +35,19 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     cavitation(&mut finding, [&rides[1], &rides[3], &rides[4]]);
     switched_off(&mut finding, &rides[5], &rides[6]);
     balanced(&mut finding, &rides[1], &rides[7]);
+    finding.checks.push(Check::relative(
+        "time to the core, 2 mm, half the substep over the usual one",
+        "-",
+        (rides[8].time_to_core(), rides[1].time_to_core()),
+        1e-4,
+        "substeps are small enough",
+    ));
     figures(&mut finding, &rides);
+    finding.notes.push(
+        "The source says that averaging over the surface keeps bubbles off the axis. In a core that turns like a solid the mean over a sphere is the \
+         value at its centre, so nothing does: bubbles here end on the axis unless they grow to the size of the core."
+            .into(),
+    );
     finding.notes.push(
         "Figure 13 of the source (more than four turns for 0.8 mm, about one for 5 mm) seems to be made with the misprinted drag of (3.27); with the \
          right drag bubbles of this size reach the core in fewer turns."
@@ -44,14 +56,15 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     Ok(finding)
 }
 
-/// Three sizes; two more cavitation numbers; without drag; without pressure gradient; balanced pressure.
+/// Three sizes; two more cavitation numbers; without drag; without pressure gradient; balanced pressure; half the substep.
 fn setups(quick: bool) -> Vec<Setup> {
     let base = Setup {
         form: VortexForm::OuterSpeedCorrected,
         radius: RADII[1],
         cavitation_number: CAVITATION[0],
         forces: Forces::IN_FLOW,
-        duration: if quick { 40.0 } else { 80.0 },
+        duration: if quick { 15.0 } else { 40.0 },
+        radius_share: 0.1,
     };
     let no_drag = Forces {
         drag: DragLaw::Off,
@@ -89,6 +102,10 @@ fn setups(quick: bool) -> Vec<Setup> {
         },
         Setup {
             form: VortexForm::Balanced,
+            ..base
+        },
+        Setup {
+            radius_share: 0.05,
             ..base
         },
     ]
@@ -206,12 +223,12 @@ fn switched_off(finding: &mut Finding, no_drag: &Ride, no_gradient: &Ride) {
         "it swings about the axis (source, figure 16)",
     ));
     let away = (no_gradient.distance_after_turn() / START - 1.0).abs();
-    finding.checks.push(Check::shown(
+    finding.checks.push(Check::absolute(
         "without pressure gradient: drift from the streamline in one turn",
         "-",
-        away,
-        None,
-        "mostly on streamlines (source, figure 16)",
+        (away, 0.0),
+        0.02,
+        "mostly on streamlines (source, figure 16); with it the bubble is in the core by then",
     ));
 }
 

@@ -17,7 +17,7 @@ pub(super) const START: f64 = 0.25;
 pub(super) const VISCOSITY: f64 = 1e-6;
 
 /// Rows per second.
-const ROWS: f64 = 50.0;
+const ROWS: f64 = 400.0;
 /// Density of the gas, kg/m3: without weight in the result.
 const GAS_DENSITY: f64 = 1.0;
 
@@ -28,6 +28,8 @@ pub(super) struct Setup {
     pub(super) radius: f64,
     pub(super) cavitation_number: f64,
     pub(super) forces: Forces,
+    /// Share of the bubble's own time in a substep.
+    pub(super) radius_share: f64,
     /// Time, s.
     pub(super) duration: f64,
 }
@@ -74,6 +76,7 @@ impl Setup {
             forces: self.forces,
             averaging: Averaging::Surface,
             slip: true,
+            radius_share: self.radius_share,
             ..Settings::new(liquid, Some(Model::RayleighPlesset(RayleighPlesset)))
         };
         let mut cloud = Cloud::new(0.0);
@@ -111,9 +114,14 @@ impl Ride {
         self.rows.iter().position(|r| distance(r) < CORE)
     }
 
-    /// Time at which the core radius is first passed, s; not a number if it is not.
+    /// Time at which the core radius is first passed, s, on the straight line between rows; not a number if it is not.
     pub(super) fn time_to_core(&self) -> f64 {
-        self.at_core().map_or(f64::NAN, |k| self.rows[k][0])
+        let Some(k) = self.at_core().filter(|&k| k > 0) else {
+            return f64::NAN;
+        };
+        let (a, b) = (&self.rows[k - 1], &self.rows[k]);
+        let x = (distance(a) - CORE) / (distance(a) - distance(b));
+        a[0] + x * (b[0] - a[0])
     }
 
     /// Turns about the axis until a row.
@@ -162,7 +170,8 @@ impl Ride {
 
     /// Mean radius of the last quarter over the first radius.
     pub(super) fn mean_radius(&self) -> f64 {
-        self.late().sum::<f64>() / self.late().count() as f64
+        let (sum, count) = self.late().fold((0.0, 0u32), |(s, n), r| (s + r, n + 1));
+        sum / f64::from(count)
     }
 
     /// Largest radius over the first.
@@ -171,13 +180,26 @@ impl Ride {
         self.rows.iter().map(|r| r[3] / first).fold(0.0, f64::max)
     }
 
-    /// Largest less smallest radius of the last quarter over the first radius.
+    /// Largest fall of the radius from a largest to the next smallest one, over the first radius.
     pub(super) fn swing(&self) -> f64 {
-        self.late().fold(0.0, f64::max) - self.late().fold(f64::INFINITY, f64::min)
+        let (mut top, mut largest) = (0.0f64, 0.0f64);
+        for pair in self.rows.windows(2) {
+            if pair[1][3] > pair[0][3] {
+                top = pair[1][3];
+            } else {
+                largest = largest.max(top - pair[1][3]);
+            }
+        }
+        largest / self.rows[0][3]
+    }
+
+    /// Rows of a figure.
+    fn shown(&self) -> impl Iterator<Item = &[f64; 4]> {
+        self.rows.iter().step_by(8)
     }
 
     pub(super) fn path(&self) -> Vec<[f64; 2]> {
-        self.rows.iter().map(|r| [r[1], r[2]]).collect()
+        self.shown().map(|r| [r[1], r[2]]).collect()
     }
 
     pub(super) fn distances(&self) -> Vec<[f64; 2]> {
@@ -188,6 +210,6 @@ impl Ride {
     }
 
     pub(super) fn radii(&self) -> Vec<[f64; 2]> {
-        self.rows.iter().map(|r| [r[0], r[3]]).collect()
+        self.shown().map(|r| [r[0], r[3]]).collect()
     }
 }

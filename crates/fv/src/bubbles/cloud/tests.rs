@@ -311,6 +311,15 @@ fn bad_input_is_refused_and_leaves_the_cloud_alone() {
     cloud.inject(&good).unwrap();
     let settings = Settings::new(LIQUID, MODEL);
     assert!(cloud.advance(&still(1e5), &settings, -1.0).is_err());
+    let stuck = Settings {
+        courant: 0.0,
+        ..settings
+    };
+    let message = cloud
+        .advance(&still(1e5), &stuck, 1e-5)
+        .unwrap_err()
+        .to_string();
+    assert!(message.contains("courant"), "{message}");
     let before = cloud.clone();
     let broken = still(f64::NAN);
     let message = cloud
