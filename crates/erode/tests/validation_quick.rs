@@ -52,6 +52,16 @@ fn attached_cavity() {
 }
 
 #[test]
+fn bubble_rayleigh() {
+    quick("bubble-rayleigh", &[]);
+}
+
+#[test]
+fn bubble_acoustic() {
+    quick("bubble-acoustic", &[]);
+}
+
+#[test]
 fn bubble_rise() {
     quick("bubble-rise", &[]);
 }
@@ -75,6 +85,8 @@ fn none_is_forgotten() {
         "rayleigh-collapse",
         "detached-cavity",
         "attached-cavity",
+        "bubble-rayleigh",
+        "bubble-acoustic",
         "bubble-rise",
         "bubble-vortex",
         "erosion-formulae",

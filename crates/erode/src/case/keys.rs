@@ -2,6 +2,7 @@
 
 use super::{
     keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
+    keys_bubbles::SINGLE_BUBBLE,
     keys_material::MATERIAL,
     schema::{
         Kind::{Count, List, Map, Name, Pair, Quantity, Switch, Text},
@@ -96,8 +97,13 @@ static SETUP: Table = Table {
             Nested(&BUBBLE_IN_LIQUID),
             "an empty bubble in liquid under pressure, far from walls",
         ),
+        optional(
+            "single_bubble",
+            Nested(&SINGLE_BUBBLE),
+            "one spherical bubble of gas and vapour in unbounded liquid: its radius over time",
+        ),
     ],
-    one_of: &["bubble_near_wall", "bubble_in_liquid"],
+    one_of: &["bubble_near_wall", "bubble_in_liquid", "single_bubble"],
 };
 
 static BUBBLE_NEAR_WALL: Table = table(

@@ -1,5 +1,6 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
+use super::bubbles::SingleBubble;
 use erode_physics::{Elastic, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
@@ -21,6 +22,8 @@ pub struct Simulation {
     pub probes: Vec<Probe>,
     /// Where the cavity is at the start, for monitors and theory.
     pub bubble: Option<Bubble>,
+    /// A spherical bubble in unbounded liquid; there are no bodies then.
+    pub single_bubble: Option<SingleBubble>,
 }
 
 impl Simulation {

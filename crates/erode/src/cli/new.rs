@@ -19,7 +19,7 @@ pub(crate) struct Template {
     pub(crate) text: &'static str,
 }
 
-pub(crate) const TEMPLATES: [Template; 4] = [
+pub(crate) const TEMPLATES: [Template; 5] = [
     Template {
         name: "bubble-near-wall",
         about: "a bubble near a steel wall, hit by a pressure step: jet, ring, pit",
@@ -34,6 +34,11 @@ pub(crate) const TEMPLATES: [Template; 4] = [
         name: "bubble-in-liquid",
         about: "a bubble far from walls under pressure: Rayleigh's collapse",
         text: include_str!("templates/bubble-in-liquid.toml"),
+    },
+    Template {
+        name: "single-bubble",
+        about: "the radius of a gas bubble in an acoustic field: growth, collapse, rebounds",
+        text: include_str!("../../../../cases/single-bubble/case.toml"),
     },
     Template {
         name: "own-bodies",

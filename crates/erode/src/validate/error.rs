@@ -3,6 +3,7 @@
 use crate::case::suggest::closest;
 use erode_fv::bubbles::CloudError;
 use erode_fv::bubbles::carrier::CarrierError;
+use erode_physics::bubble::BubbleError;
 use erode_physics::material_point::PathError;
 use erode_sph::packing::PackingError;
 use erode_sph::solid::SolidError;
@@ -44,6 +45,9 @@ pub enum Failure {
     /// A material point could not be driven along its path.
     #[error("the material point failed: {0}")]
     Path(#[from] PathError),
+    /// A bubble could not be integrated.
+    #[error("the bubble failed: {0}")]
+    Bubble(#[from] BubbleError),
     /// A cloud of bubbles could not be advanced.
     #[error("the cloud of bubbles failed: {0}")]
     Cloud(#[from] CloudError),

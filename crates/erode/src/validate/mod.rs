@@ -5,6 +5,7 @@
 //! for `erode validate`.
 
 mod axis_consistency;
+mod bubble;
 mod bubble_rise;
 mod bubble_vortex;
 mod check;
@@ -86,13 +87,15 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 9] = [
+pub const ALL: [Validation; 11] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
     rayleigh_collapse::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,
+    bubble::RAYLEIGH,
+    bubble::ACOUSTIC,
     bubble_rise::VALIDATION,
     bubble_vortex::VALIDATION,
     erosion_formulae::VALIDATION,

@@ -9,11 +9,13 @@ pub mod forces;
 mod cloud;
 mod motion;
 mod records;
+mod seeding;
 mod settings;
 mod totals;
 mod traveller;
 
 pub use cloud::{Cloud, CloudError, NewBubble};
 pub use records::{Begin, CloudLedger, CollapseRecord, Fate, Lost, deposit};
+pub use seeding::{Seeded, Seeding, SeedingError};
 pub use settings::{Averaging, Settings, SettingsError};
 pub use totals::Totals;

@@ -24,6 +24,8 @@ mod model;
 mod models;
 mod ode;
 mod state;
+#[cfg(test)]
+mod tests;
 
 pub use advance::{Controls, Progress, Watch, advance};
 pub use ambient::{Ambient, Constant, Driving, Linear, Sine};

@@ -151,19 +151,19 @@ pub(crate) mod tests {
         let mut convective = [0.0; 3];
         for j in 0..3 {
             let (a, b) = (moved(j, -1.0), moved(j, 1.0));
-            for i in 0..3 {
+            for (i, sum) in convective.iter_mut().enumerate() {
                 let slope = (b.velocity[i] - a.velocity[i]) / (2.0 * d);
                 gradient = gradient.max((slope - here.velocity_gradient[i][j]).abs());
-                convective[i] += here.velocity[j] * slope;
+                *sum += here.velocity[j] * slope;
             }
             let slope = (b.pressure - a.pressure) / (2.0 * d);
             pressure = pressure.max((slope - here.pressure_gradient[j]).abs());
         }
         let (before, after) = (flow.at(x, t - dt).unwrap(), flow.at(x, t + dt).unwrap());
         let mut acceleration = 0.0f64;
-        for i in 0..3 {
+        for (i, convective) in convective.into_iter().enumerate() {
             let rate = (after.velocity[i] - before.velocity[i]) / (2.0 * dt);
-            acceleration = acceleration.max((rate + convective[i] - here.acceleration[i]).abs());
+            acceleration = acceleration.max((rate + convective - here.acceleration[i]).abs());
         }
         let size = |v: &[f64]| v.iter().fold(1e-300f64, |m, x| m.max(x.abs()));
         [

@@ -1,9 +1,9 @@
 use super::super::carrier::{Acoustic, Bounded, NearPlane, Stagnation, Still, Wave};
 use super::super::forces::{DragLaw, Forces, LiftLaw, PressureForce, terminal_speed, volume};
-use super::super::{Averaging, Settings};
+use super::super::{Averaging, Settings, deposit};
 use super::*;
 use erode_physics::bubble::{Liquid, Model, RayleighPlesset, Sine, equilibrium_gas};
-use erode_physics::erosion::Assessment;
+use erode_physics::erosion::{Assessment, PotentialMap, WallElement};
 use erode_physics::nuclei::{NucleiDistribution, Stream};
 
 const LIQUID: Liquid = Liquid::WATER;
@@ -328,4 +328,32 @@ fn bad_input_is_refused_and_leaves_the_cloud_alone() {
         .to_string();
     assert!(message.contains("not finite"), "{message}");
     assert_eq!(cloud, before);
+}
+
+/// Collapses of a cloud over a wall of two elements: each impact lies on the element under its bubble.
+#[test]
+fn impacts_lie_under_their_bubbles() {
+    let (flow, settings, mut cloud) = noisy();
+    let records = cloud.advance(&flow, &settings, 1e-4).unwrap();
+    let element = |x: f64| WallElement {
+        centre: [x, 1e-4, 0.0],
+        normal: [0.0, 0.0, 1.0],
+        area: 2e-8,
+    };
+    let mut map = PotentialMap::new(vec![element(0.5e-4), element(1.5e-4)]).unwrap();
+    deposit(&mut map, &records).unwrap();
+    assert_eq!(map.impacts().iter().sum::<u64>(), cloud.ledger.impacts);
+    assert!(cloud.ledger.impacts > 0);
+    let mut right = 0.0;
+    let mut all = 0.0;
+    for record in &records {
+        if let Some(Assessment::Impact(impact)) = record.assessment {
+            all += impact.impact_pressure;
+            if record.begin.position[0] > 1e-4 {
+                right += impact.impact_pressure;
+            }
+        }
+    }
+    let share = map.linear().unwrap()[1];
+    assert!((share - right / all).abs() < 1e-12 && map.squared().unwrap()[1] <= 1.0);
 }

@@ -41,12 +41,13 @@ impl BubbleModel for Gilmore {
         let at_wall = WallPressure::new(liquid, gas, wall, 1.0);
         let n = self.tait_exponent;
         let stiffness = liquid.density * liquid.sound_speed * liquid.sound_speed / n; // p0 + B
-        let far = self.ratio(stiffness, ambient.mean_pressure(liquid.density));
-        let near = self.ratio(stiffness, at_wall.value);
-        let rho_near = liquid.density * near.powf(1.0 / n);
-        let rho_far = liquid.density * far.powf(1.0 / n);
-        let enthalpy = n / (n - 1.0) * stiffness * (near / rho_near - far / rho_far);
-        let sound = (n * stiffness * near / rho_near).sqrt();
+        let far = self.compressed(stiffness, ambient.mean_pressure(liquid.density));
+        let near = self.compressed(stiffness, at_wall.value);
+        let rho_near = liquid.density * near.density;
+        let rho_far = liquid.density * far.density;
+        let unit = n / (n - 1.0) * stiffness / liquid.density;
+        let enthalpy = unit * (near.enthalpy - far.enthalpy);
+        let sound = liquid.sound_speed * (1.0 + near.enthalpy).sqrt();
         let mach = wall.velocity / sound;
         let delay = wall.radius / sound * (1.0 - mach);
         let enthalpy_rate =
@@ -59,10 +60,24 @@ impl BubbleModel for Gilmore {
     }
 }
 
+/// Liquid at a pressure relative to the liquid at the reference pressure.
+struct Compressed {
+    /// rho/rho0.
+    density: f64,
+    /// Enthalpy above that at p0 over n/(n - 1) (p0 + B)/rho0; one more is (C/c0)^2.
+    enthalpy: f64,
+}
+
 impl Gilmore {
-    /// (p + B)/(p0 + B).
+    /// With x = (p - p0)/(p0 + B): the enthalpy is (1 + x)^((n - 1)/n) - 1, free of cancellation for small x.
     #[inline]
-    fn ratio(&self, stiffness: f64, pressure: f64) -> f64 {
-        (pressure - self.reference_pressure) / stiffness + 1.0
+    fn compressed(&self, stiffness: f64, pressure: f64) -> Compressed {
+        let x = (pressure - self.reference_pressure) / stiffness;
+        let exponent = 1.0 - 1.0 / self.tait_exponent;
+        let enthalpy = (exponent * x.ln_1p()).exp_m1();
+        Compressed {
+            density: (1.0 + x) / (1.0 + enthalpy),
+            enthalpy,
+        }
     }
 }

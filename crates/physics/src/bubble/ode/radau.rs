@@ -163,8 +163,9 @@ fn eliminate(m: &mut [[f64; 6]; 6], mut b: [f64; 6]) -> Option<[f64; 6]> {
         }
         for row in column + 1..6 {
             let factor = m[row][column] / diagonal;
-            for k in column..6 {
-                m[row][k] -= factor * m[column][k];
+            let above = m[column];
+            for (entry, over) in m[row].iter_mut().zip(above) {
+                *entry -= factor * over;
             }
             b[row] -= factor * b[column];
         }
