@@ -62,6 +62,21 @@ fn bubble_acoustic() {
 }
 
 #[test]
+fn bubble_rise() {
+    quick("bubble-rise", &[]);
+}
+
+#[test]
+fn bubble_vortex() {
+    quick("bubble-vortex", &[]);
+}
+
+#[test]
+fn erosion_formulae() {
+    quick("erosion-formulae", &[]);
+}
+
+#[test]
 fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
@@ -72,6 +87,9 @@ fn none_is_forgotten() {
         "attached-cavity",
         "bubble-rayleigh",
         "bubble-acoustic",
+        "bubble-rise",
+        "bubble-vortex",
+        "erosion-formulae",
     ];
     assert_eq!(names(), tested);
 }

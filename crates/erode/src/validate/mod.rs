@@ -6,7 +6,11 @@
 
 mod axis_consistency;
 mod bubble;
+mod bubble_rise;
+mod bubble_vortex;
 mod check;
+mod columns;
+mod erosion_formulae;
 mod error;
 mod figure;
 mod interface_wave;
@@ -83,7 +87,7 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 8] = [
+pub const ALL: [Validation; 11] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     interface_wave::VALIDATION,
@@ -92,6 +96,9 @@ pub const ALL: [Validation; 8] = [
     main_case::ATTACHED,
     bubble::RAYLEIGH,
     bubble::ACOUSTIC,
+    bubble_rise::VALIDATION,
+    bubble_vortex::VALIDATION,
+    erosion_formulae::VALIDATION,
 ];
 
 /// Names of all validations.
