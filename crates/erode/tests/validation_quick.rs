@@ -88,6 +88,31 @@ fn attached_cavity() {
 }
 
 #[test]
+fn bubble_rayleigh() {
+    quick("bubble-rayleigh", &[]);
+}
+
+#[test]
+fn bubble_acoustic() {
+    quick("bubble-acoustic", &[]);
+}
+
+#[test]
+fn bubble_rise() {
+    quick("bubble-rise", &[]);
+}
+
+#[test]
+fn bubble_vortex() {
+    quick("bubble-vortex", &[]);
+}
+
+#[test]
+fn erosion_formulae() {
+    quick("erosion-formulae", &[]);
+}
+
+#[test]
 fn none_is_forgotten() {
     let tested = [
         "johnson-cook-point",
@@ -103,6 +128,11 @@ fn none_is_forgotten() {
         "rayleigh-collapse",
         "detached-cavity",
         "attached-cavity",
+        "bubble-rayleigh",
+        "bubble-acoustic",
+        "bubble-rise",
+        "bubble-vortex",
+        "erosion-formulae",
     ];
     assert_eq!(names(), tested);
 }

@@ -9,6 +9,10 @@ use super::{
 #[must_use]
 pub fn check_advice(simulation: &Simulation) -> Vec<String> {
     let mut advice = Vec::new();
+    if simulation.single_bubble.is_some() {
+        many_rows(simulation, &mut advice);
+        return advice;
+    }
     if let Some(bubble) = &simulation.bubble {
         bubble_advice(simulation, bubble, &mut advice);
     }
@@ -35,6 +39,15 @@ pub fn check_advice(simulation: &Simulation) -> Vec<String> {
         ));
     }
     advice
+}
+
+fn many_rows(s: &Simulation, advice: &mut Vec<String>) {
+    let rows = s.run.end_time / s.output.history_every;
+    if rows > 1e6 {
+        advice.push(format!(
+            "{rows:.0} rows will be written: is output.history_every right?"
+        ));
+    }
 }
 
 fn bubble_advice(s: &Simulation, bubble: &Bubble, advice: &mut Vec<String>) {

@@ -2,6 +2,7 @@
 
 use super::{
     body::{self, Built},
+    bubbles,
     error::{Findings, Span},
     estimate,
     loads::{self, Loads},
@@ -24,6 +25,9 @@ pub(crate) fn simulation(
     let f = root.fields()?;
     for (name, material) in f.table("material").map_or(&[][..], |t| t.entries) {
         library.add(name, material);
+    }
+    if let Some(("single_bubble", setup)) = f.chosen("setup") {
+        return bubbles(f, setup, findings);
     }
     let geometry = match f.chosen("geometry") {
         Some(("plane", _)) => Geometry::Plane,
@@ -55,6 +59,45 @@ pub(crate) fn simulation(
         probes,
         bubble,
         loads: loads?,
+        single_bubble: None,
+    })
+}
+
+/// A case of bubbles whose liquid is not filled with particles: nothing but their setup, duration and output.
+fn bubbles(f: Fields<'_>, setup: Fields<'_>, findings: &mut Findings) -> Option<Simulation> {
+    for key in [
+        "body", "bubble", "probe", "geometry", "indenter", "pressure", "settling",
+    ] {
+        // The default geometry has the place of the whole file.
+        if f.node(key).is_some_and(|n| n.span != f.span) {
+            let help = format!("leave `{key}` out: this setup has no bodies of particles");
+            let message = format!("`{key}` has no meaning beside [setup.single_bubble]");
+            findings.error(f.at(key), message, "not used here", help);
+        }
+    }
+    let (bubble, proposed) = bubbles::single_bubble(setup, findings)?;
+    let r = f.table("run")?;
+    let end_time = match r.node("end_time") {
+        Some(_) => r.number("end_time")?,
+        None => proposed,
+    };
+    let title = f.text("title").filter(|t| !t.is_empty());
+    Some(Simulation {
+        title: title
+            .unwrap_or("Spherical bubble in unbounded liquid")
+            .to_owned(),
+        geometry: Geometry::Axisymmetric,
+        bodies: Vec::new(),
+        run: Run {
+            end_time,
+            safety: r.number("safety")?,
+            max_steps: max_steps(r)?,
+        },
+        output: output(f, end_time)?,
+        probes: Vec::new(),
+        bubble: None,
+        loads: Loads::default(),
+        single_bubble: Some(bubble),
     })
 }
 
@@ -99,17 +142,21 @@ fn run(f: Fields<'_>, setup: Option<&Expansion>, findings: &mut Findings) -> Opt
         None => setup.map(|s| s.end_time),
     };
     let safety = r.number("safety")?;
-    let max_steps = match r.node("max_steps") {
-        Some(_) => Some(r.number("max_steps")?),
-        None => None,
-    };
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    // checked to be a whole number below 2^53
     Some(Run {
         end_time: end_time?,
         safety,
-        max_steps: max_steps.map(|x| x as u64),
+        max_steps: max_steps(r)?,
     })
+}
+
+/// The largest number of steps if one is given; nothing if it is wrong.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+// checked to be a whole number below 2^53
+fn max_steps(r: Fields<'_>) -> Option<Option<u64>> {
+    match r.node("max_steps") {
+        Some(_) => Some(Some(r.number("max_steps")? as u64)),
+        None => Some(None),
+    }
 }
 
 fn output(f: Fields<'_>, end_time: f64) -> Option<Output> {

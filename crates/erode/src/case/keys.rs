@@ -2,6 +2,7 @@
 
 use super::{
     keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
+    keys_bubbles::SINGLE_BUBBLE,
     keys_load::{INDENTATION, INDENTER, LOAD, PRESSURE_PULSE, SETTLING},
     keys_material::MATERIAL,
     schema::{
@@ -122,12 +123,18 @@ static SETUP: Table = Table {
             Nested(&PRESSURE_PULSE),
             "a block hit by a Gaussian pressure",
         ),
+        optional(
+            "single_bubble",
+            Nested(&SINGLE_BUBBLE),
+            "one spherical bubble of gas and vapour in unbounded liquid: its radius over time",
+        ),
     ],
     one_of: &[
         "bubble_near_wall",
         "bubble_in_liquid",
         "indentation",
         "pressure_pulse",
+        "single_bubble",
     ],
 };
 

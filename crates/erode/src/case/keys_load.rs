@@ -2,6 +2,7 @@
 
 use super::{
     keys_body::SOLID_FORMULATION,
+    keys_damage::DAMAGE,
     schema::{
         Kind::{Count, Quantity, Switch, Table as Nested, Text},
         Range::{Any, NotNegative, Positive, Within},
@@ -167,6 +168,11 @@ pub(crate) static INDENTATION: Table = table(
             "false",
             "whether the yield stress grows with the strain rate: the computed rate is not that of a slow test",
         ),
+        optional(
+            "damage",
+            Nested(&DAMAGE),
+            "damage law; without it nothing fails",
+        ),
         default(
             "formulation",
             Nested(&SOLID_FORMULATION),
@@ -217,6 +223,11 @@ pub(crate) static PRESSURE_PULSE: Table = table(
             Switch,
             "true",
             "whether the yield stress grows with the strain rate",
+        ),
+        optional(
+            "damage",
+            Nested(&DAMAGE),
+            "damage law; without it nothing fails",
         ),
         default(
             "formulation",

@@ -6,6 +6,7 @@
 
 mod advice;
 mod body;
+pub mod bubbles;
 mod build;
 pub(crate) mod check;
 mod check_blocks;
@@ -15,6 +16,7 @@ pub mod estimate;
 mod json_schema;
 mod keys;
 mod keys_body;
+mod keys_bubbles;
 mod keys_damage;
 mod keys_load;
 pub(crate) mod keys_material;

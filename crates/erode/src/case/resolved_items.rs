@@ -2,6 +2,7 @@
 
 use super::{
     body::named,
+    bubbles::single_bubble_items,
     resolved::{Item, Items},
     resolved_loads::load_items,
     simulation::{
@@ -15,6 +16,9 @@ use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 
 /// The whole case.
 pub(crate) fn case_items(s: &Simulation) -> Items {
+    if let Some(bubble) = &s.single_bubble {
+        return bubble_case_items(s, single_bubble_items(bubble));
+    }
     let geometry = match s.geometry {
         Geometry::Axisymmetric => "axisymmetric",
         Geometry::Plane => "plane",
@@ -49,6 +53,21 @@ pub(crate) fn case_items(s: &Simulation) -> Items {
         Item::List(s.probes.iter().map(probe_items).collect()),
     ));
     items
+}
+
+/// A case of bubbles without bodies.
+fn bubble_case_items(s: &Simulation, setup: Items) -> Items {
+    let mut run = vec![("end_time", Item::Number(s.run.end_time))];
+    run.extend(s.run.max_steps.map(|n| ("max_steps", Item::Whole(n))));
+    let history = ("history_every", Item::Number(s.output.history_every));
+    let every = ("every", Item::Number(s.output.checkpoint_every));
+    vec![
+        ("title", Item::Text(s.title.clone())),
+        ("setup", choice("single_bubble", setup)),
+        ("run", Item::Table(run)),
+        ("output", Item::Table(vec![history])),
+        ("checkpoint", Item::Table(vec![every])),
+    ]
 }
 
 fn choice(name: &'static str, items: Items) -> Item {

@@ -27,6 +27,7 @@ fn solid(f: Fields<'_>, library: &Library, findings: &mut Findings) -> Option<So
         density,
         elastic,
         strength,
+        damage: laws::damage(f, "material", library, findings)?,
         formulation: laws::solid_formulation(f, "formulation")?,
         velocity: [0.0; 2],
     })

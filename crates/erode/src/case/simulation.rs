@@ -1,6 +1,6 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
-use super::loads::Loads;
+use super::{bubbles::SingleBubble, loads::Loads};
 use erode_physics::{Elastic, damage::Damage, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
@@ -25,6 +25,8 @@ pub struct Simulation {
     /// What acts on the solids.
     #[serde(default)]
     pub loads: Loads,
+    /// A spherical bubble in unbounded liquid; there are no bodies then.
+    pub single_bubble: Option<SingleBubble>,
 }
 
 impl Simulation {

@@ -6,11 +6,13 @@ use super::{
     format::{columns, count, duration, si, significant},
     say::say,
 };
+use erode::case::bubbles::SingleBubble;
 use erode::case::{
     Body, BodyKind, Case, Loaded, Simulation, check_advice,
     estimate::{Estimate, PARTICLE_STEPS_PER_SECOND, bytes, estimate},
     json_schema,
 };
+use erode_physics::bubble::{BubbleModel, blake_pressure, critical_radius, equilibrium_radius};
 use erode_sph::Geometry;
 
 /// Runs the command.
@@ -34,9 +36,28 @@ pub(crate) fn check(args: &CheckArgs) -> Outcome {
 
 fn print_summary(loaded: &Loaded) {
     let s = &loaded.simulation;
-    let e = estimate(s);
     say!("{}: the case is correct", loaded.file.display());
     say!("{}\n", s.title);
+    if let Some(bubble) = &s.single_bubble {
+        columns(&bubble_facts(s, bubble))
+            .iter()
+            .for_each(|l| say!("{l}"));
+    } else {
+        print_bodies(s);
+    }
+    let advice = check_advice(s);
+    if !advice.is_empty() {
+        say!("\nWorth a look:");
+        advice.iter().for_each(|a| say!("- {a}"));
+    }
+    say!(
+        "\nEvery default: erode check {} --resolved",
+        loaded.file.display()
+    );
+}
+
+fn print_bodies(s: &Simulation) {
+    let e = estimate(s);
     for line in columns(&facts(s)) {
         say!("{line}");
     }
@@ -48,15 +69,55 @@ fn print_summary(loaded: &Loaded) {
     for line in columns(&cost(s, &e)) {
         say!("{line}");
     }
-    let advice = check_advice(s);
-    if !advice.is_empty() {
-        say!("\nWorth a look:");
-        advice.iter().for_each(|a| say!("- {a}"));
-    }
-    say!(
-        "\nEvery default: erode check {} --resolved",
-        loaded.file.display()
+}
+
+/// What is known of a single bubble before it runs.
+fn bubble_facts(s: &Simulation, b: &SingleBubble) -> Vec<Vec<String>> {
+    let row = |name: &str, text: String| vec![name.to_owned(), text];
+    let pressure = b.ambient_pressure.at_start();
+    let gas = format!(
+        "{} at a radius of {}, exponent {}",
+        si(b.gas.pressure, "Pa"),
+        si(b.gas.radius, "m"),
+        significant(b.gas.polytropic_exponent)
     );
+    let rest = equilibrium_radius(&b.liquid, &b.gas, pressure).map_or_else(
+        |e| e.to_string(),
+        |r| format!("radius {} at {}", si(r, "m"), si(pressure, "Pa")),
+    );
+    let blake = format!(
+        "{}: below it no equilibrium, above a radius of {} none that is stable",
+        si(blake_pressure(&b.liquid, &b.gas), "Pa"),
+        si(critical_radius(&b.liquid, &b.gas), "m")
+    );
+    let o = &s.output;
+    let every = format!(
+        "history every {} and where the radius changes, checkpoint every {}",
+        si(o.history_every, "s"),
+        si(o.checkpoint_every, "s")
+    );
+    let mut rows = vec![
+        row(
+            "bubble",
+            format!("radius {} at the start", si(b.radius, "m")),
+        ),
+        row(
+            "law",
+            format!(
+                "`{}`, tolerance {}",
+                b.model.name(),
+                significant(b.tolerance)
+            ),
+        ),
+        row("gas", gas),
+        row("equilibrium", rest),
+    ];
+    if b.gas.pressure > 0.0 {
+        rows.push(row("Blake threshold", blake));
+    }
+    rows.push(row("end time", si(s.run.end_time, "s")));
+    rows.push(row("output", every));
+    rows
 }
 
 fn facts(s: &Simulation) -> Vec<Vec<String>> {

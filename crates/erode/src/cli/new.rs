@@ -19,7 +19,7 @@ pub(crate) struct Template {
     pub(crate) text: &'static str,
 }
 
-pub(crate) const TEMPLATES: [Template; 6] = [
+pub(crate) const TEMPLATES: [Template; 7] = [
     Template {
         name: "bubble-near-wall",
         about: "a bubble near a steel wall, hit by a pressure step: jet, ring, pit",
@@ -44,6 +44,11 @@ pub(crate) const TEMPLATES: [Template; 6] = [
         name: "pressure-pulse",
         about: "steel hit by a Gaussian pressure in space and time",
         text: include_str!("templates/pressure-pulse.toml"),
+    },
+    Template {
+        name: "single-bubble",
+        about: "the radius of a gas bubble in an acoustic field: growth, collapse, rebounds",
+        text: include_str!("../../../../cases/single-bubble/case.toml"),
     },
     Template {
         name: "own-bodies",

@@ -64,6 +64,11 @@ impl RunPaths {
         self.root.join("history.csv")
     }
 
+    /// What happened to a bubble, one row each.
+    pub fn events(&self) -> PathBuf {
+        self.root.join("events.csv")
+    }
+
     /// The table of a probe.
     pub fn probe(&self, name: &str) -> PathBuf {
         self.root.join("probes").join(format!("{name}.csv"))

@@ -4,7 +4,7 @@ use super::html::Page;
 use super::instants::Instants;
 use super::run_data::RunData;
 use super::sections::{
-    asked, bubble, energy, fields, load, probes, results, stepping, strain, wall,
+    asked, bubble, energy, fields, load, probes, results, single_bubble, stepping, strain, wall,
 };
 
 /// The whole page as HTML.
@@ -13,6 +13,9 @@ pub(crate) fn compose(data: &RunData) -> String {
     let mut page = Page::default();
     let title = asked::title(data);
     asked::write_head(&mut page, data, &title);
+    if single_bubble::is(data) {
+        return compose_single_bubble(page, data, &title);
+    }
     page.columns(
         |left| results::write(left, data),
         |right| asked::write(right, data),
@@ -33,4 +36,17 @@ pub(crate) fn compose(data: &RunData) -> String {
     probes::write(&mut page, data);
     asked::write_files(&mut page, data);
     page.finish(&title)
+}
+
+/// The page of a run of one spherical bubble: it has no fields and no wall.
+fn compose_single_bubble(mut page: Page, data: &RunData, title: &str) -> String {
+    page.columns(
+        |left| results::write(left, data),
+        |right| asked::write(right, data),
+    );
+    single_bubble::write(&mut page, data);
+    energy::write(&mut page, data);
+    stepping::write(&mut page, data, &Instants::default());
+    asked::write_files(&mut page, data);
+    page.finish(title)
 }

@@ -2,7 +2,7 @@
 
 use super::observer::Observer;
 use super::steps::Run;
-use super::{RunError, build};
+use super::{RunError, build, single_bubble};
 use crate::case::Case;
 use crate::output::{CheckpointStore, OutputError, RunFolder, hash_hex};
 use std::path::{Path, PathBuf};
@@ -49,10 +49,14 @@ pub fn start(
     let folder = RunFolder::create(&options.output)?;
     observer.say(&format!("run folder: {}", options.output.display()));
     folder.write_case(loaded.source.as_bytes(), &loaded.resolved_toml)?;
+    let hash = hash_hex(loaded.resolved_toml.as_bytes());
+    if let Some(bubble) = loaded.simulation.single_bubble {
+        return single_bubble::Run::new(folder, loaded.simulation, bubble, hash)?
+            .go(stop, observer);
+    }
     with_threads(options.threads, || {
         observer.say("filling the bodies with particles");
         let world = build::world(&loaded.simulation)?;
-        let hash = hash_hex(loaded.resolved_toml.as_bytes());
         Run::new(folder, loaded.simulation, world, hash)?.go(stop, observer)
     })
 }
@@ -85,6 +89,17 @@ pub fn resume(
         found.path.display(),
         found.checkpoint.meta.time
     ));
+    if let Some(bubble) = loaded.simulation.single_bubble {
+        let checkpoint = &found.checkpoint;
+        return single_bubble::Run::from_checkpoint(
+            folder,
+            loaded.simulation,
+            bubble,
+            hash,
+            checkpoint,
+        )?
+        .go(stop, observer);
+    }
     with_threads(threads, || {
         let world = build::world(&loaded.simulation)?;
         Run::from_checkpoint(folder, loaded.simulation, world, hash, &found.checkpoint)?

@@ -3,6 +3,7 @@
 use crate::case::CaseErrors;
 use crate::output::OutputError;
 use crate::report::ReportError;
+use erode_physics::bubble::BubbleError;
 use erode_sph::packing::PackingError;
 use erode_sph::solid::SolidError;
 use erode_sph::world::WorldError;
@@ -41,6 +42,9 @@ pub enum RunError {
     /// The world cannot be built.
     #[error(transparent)]
     World(#[from] WorldError),
+    /// A bubble cannot be integrated.
+    #[error(transparent)]
+    Bubble(#[from] BubbleError),
     /// Files.
     #[error(transparent)]
     Output(#[from] OutputError),

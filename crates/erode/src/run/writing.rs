@@ -1,8 +1,8 @@
 //! What a run writes on its way, and when.
 
 use super::steps::Run;
-use super::{RunError, monitor, state, watch};
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, State, Status};
+use super::{RunError, monitor, state, status, watch};
+use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, State};
 
 impl Run {
     /// Rows, snapshots and checkpoints whose time has come since `before`: at the first step at or behind each multiple
@@ -61,22 +61,7 @@ impl Run {
     }
 
     pub(super) fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        let p = self.progress();
-        let rate =
-            (state == State::Running && p.steps_per_second > 0.0).then_some(p.steps_per_second);
-        let status = Status {
-            state,
-            time: p.time,
-            end_time: p.end_time,
-            step: p.step,
-            dt: p.dt,
-            limiter: p.limiter.to_owned(),
-            steps_per_second: rate,
-            eta: rate.map(|r| (p.end_time - p.time).max(0.0) / p.dt / r),
-            energy_drift: Some(p.energy_drift),
-            pid: std::process::id(),
-            message: message.map(str::to_owned),
-        };
+        let status = status::of(&self.progress(), state, message);
         Ok(status.write(&self.files.paths().status())?)
     }
 }

@@ -1,6 +1,9 @@
 //! What can go wrong with validations.
 
 use crate::case::suggest::closest;
+use erode_fv::bubbles::CloudError;
+use erode_fv::bubbles::carrier::CarrierError;
+use erode_physics::bubble::BubbleError;
 use erode_physics::material_point::PathError;
 use erode_sph::packing::PackingError;
 use erode_sph::solid::SolidError;
@@ -42,6 +45,15 @@ pub enum Failure {
     /// A material point could not be driven along its path.
     #[error("the material point failed: {0}")]
     Path(#[from] PathError),
+    /// A bubble could not be integrated.
+    #[error("the bubble failed: {0}")]
+    Bubble(#[from] BubbleError),
+    /// A cloud of bubbles could not be advanced.
+    #[error("the cloud of bubbles failed: {0}")]
+    Cloud(#[from] CloudError),
+    /// A flow has no answer.
+    #[error("the flow failed: {0}")]
+    Carrier(#[from] CarrierError),
     /// A run stopped.
     #[error("the run stopped: {0}")]
     Run(String),

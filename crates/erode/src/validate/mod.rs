@@ -5,8 +5,12 @@
 //! for `erode validate`.
 
 mod axis_consistency;
+mod bubble;
+mod bubble_rise;
+mod bubble_vortex;
 mod check;
 mod columns;
+mod erosion_formulae;
 mod error;
 mod figure;
 mod gaussian_pressure_static;
@@ -20,6 +24,7 @@ mod mass_loss;
 mod materials;
 mod number;
 mod rayleigh_collapse;
+mod rows;
 mod steel_lattice;
 mod stress_waves;
 mod table;
@@ -90,7 +95,7 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 13] = [
+pub const ALL: [Validation; 18] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     stress_waves::BAR,
@@ -104,6 +109,11 @@ pub const ALL: [Validation; 13] = [
     rayleigh_collapse::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,
+    bubble::RAYLEIGH,
+    bubble::ACOUSTIC,
+    bubble_rise::VALIDATION,
+    bubble_vortex::VALIDATION,
+    erosion_formulae::VALIDATION,
 ];
 
 /// Names of all validations.

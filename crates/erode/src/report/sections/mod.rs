@@ -7,6 +7,7 @@ pub(super) mod fields;
 pub(super) mod load;
 pub(super) mod probes;
 pub(super) mod results;
+pub(super) mod single_bubble;
 pub(super) mod stepping;
 pub(super) mod strain;
 pub(super) mod wall;

@@ -1,0 +1,6 @@
+//! Cases of bubbles in a liquid that is given, with the real program.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+mod single;
