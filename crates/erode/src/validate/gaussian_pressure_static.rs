@@ -2,7 +2,7 @@
 
 use super::check::Check;
 use super::columns::{Columns, CurveError};
-use super::steel_lattice::{Lattice, peak_strain};
+use super::steel_lattice::Lattice;
 use super::{Failure, Figure, Finding, Style, Validation};
 use erode_physics::load::GaussianPressure;
 use erode_sph::Geometry;
@@ -58,43 +58,48 @@ const WHY: &str = "issue 3; the kernel smooths the load over one spacing, which 
 const SHOWN: &str =
     "not asked; the pit at 1.5 GPa is a difference of 11 % between loaded and elastic depth";
 
-/// Spacing, width and height of the block (m), loading.
-fn form(quick: bool) -> (f64, f64, QuasiStatic) {
-    let loading = |ramp| QuasiStatic {
-        ramp,
-        hold: 0.5e-6,
-        damping: 5e6,
-    };
+/// Ten spacings per load radius.
+const SPACING: f64 = 5e-6;
+/// Five passages of a wave through the block.
+const LOADING: QuasiStatic = QuasiStatic {
+    ramp: 1e-6,
+    hold: 0.3e-6,
+    damping: 5e6,
+};
+
+/// Size of the block (m) and the loads. A small block is stiff between its rollers: that of the quick form adds 2 % to the pit
+/// at 2.5 GPa and 7 % to the strain at 1.5 GPa, which is hardly above the yield point.
+fn form(quick: bool) -> (f64, &'static [Load]) {
     if quick {
-        (5e-6, 0.3e-3, loading(0.6e-6))
+        (0.3e-3, &LOADS[1..])
     } else {
-        (2.5e-6, 0.5e-3, loading(1e-6))
+        (1e-3, &LOADS)
     }
 }
 
 fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
-    let (spacing, size, loading) = form(quick);
+    let (size, loads) = form(quick);
     let lattice = Lattice {
         geometry: Geometry::Axisymmetric,
         size: [size; 2],
-        spacing,
+        spacing: SPACING,
         faces: [Face::Axis, Face::Symmetry, Face::Symmetry, Face::Traction],
         formulation: Formulation::TotalLagrangian,
     };
-    say(&format!("spacing {} um", spacing * 1e6));
-    let runs: Vec<Solid> = LOADS
+    say(&format!("block of {} mm", size * 1e3));
+    let runs: Vec<Solid> = loads
         .par_iter()
-        .map(|load| press(&lattice, load, &loading))
+        .map(|load| press(&lattice, load))
         .collect::<Result<_, _>>()?;
     let mut finding = Finding::default();
-    for (load, solid) in LOADS.iter().zip(&runs) {
+    for (load, solid) in loads.iter().zip(&runs) {
         compare(&lattice, load, solid, &mut finding)?;
     }
     Ok(finding)
 }
 
 /// Loads and unloads.
-fn press(lattice: &Lattice, load: &Load, loading: &QuasiStatic) -> Result<Solid, Failure> {
+fn press(lattice: &Lattice, load: &Load) -> Result<Solid, Failure> {
     let mut solid = lattice.build()?;
     let gaussian = GaussianPressure {
         amplitude: load.amplitude,
@@ -102,7 +107,7 @@ fn press(lattice: &Lattice, load: &Load, loading: &QuasiStatic) -> Result<Solid,
         pulse: None,
     };
     let mut apply = |from: f64, to: f64| -> Result<(), SolidError> {
-        loading.run(
+        LOADING.run(
             &mut solid,
             |solid, share| {
                 let part = from + (to - from) * share.value;
@@ -137,6 +142,11 @@ fn compare(
         - solid
             .surface(Side::Top)
             .map_or(f64::NAN, |s| s.position[0][1]);
+    if let Ok(resolution) = solid.load_resolution(Side::Top, 0.0, 0.5 * DIAMETER)
+        && !resolution.is_enough()
+    {
+        finding.notes.push(resolution.to_string());
+    }
     let row = |what: &str, value: f64, tolerance: f64| {
         Check::absolute(
             format!("{title}: {what}"),
@@ -175,7 +185,7 @@ fn compare(
         shown(
             "peak plastic strain",
             "-",
-            peak_strain(solid).0,
+            lattice.peak_strain(solid),
             load.peak_strain,
         ),
         shown(

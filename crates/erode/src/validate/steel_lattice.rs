@@ -80,11 +80,22 @@ impl Lattice {
     }
 }
 
-/// Largest plastic strain and the reference place of its particle.
-pub(super) fn peak_strain(solid: &Solid) -> (f64, [f64; 2]) {
-    let strain = &solid.state.plastic_strain;
-    let largest = (0..solid.len()).max_by(|&a, &b| strain[a].total_cmp(&strain[b]));
-    largest.map_or((f64::NAN, [f64::NAN; 2]), |k| {
-        (strain[k], solid.reference.position[k])
-    })
+impl Lattice {
+    /// Largest plastic strain: of the particles and, by even parabolas across it, of the axis or plane of symmetry on the
+    /// left, there by parabolas between the rows too.
+    pub(super) fn peak_strain(&self, solid: &Solid) -> f64 {
+        let ([columns, rows], strain) = (self.count(), &solid.state.plastic_strain);
+        let on_axis = |j: usize| (9.0 * strain[columns * j] - strain[columns * j + 1]) / 8.0;
+        let between = |j: usize| {
+            let [a, b, c] = [j - 1, j, j + 1].map(on_axis);
+            let bend = 2.0 * b - a - c;
+            if bend > 0.0 && b >= a && b >= c {
+                b + (c - a) * (c - a) / (8.0 * bend)
+            } else {
+                b
+            }
+        };
+        let axis = (1..rows - 1).map(between).fold(0.0, f64::max);
+        strain.iter().copied().fold(axis, f64::max)
+    }
 }

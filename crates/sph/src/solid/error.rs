@@ -1,6 +1,6 @@
 //! What can go wrong with a solid.
 
-use super::block::{Block, Side};
+use super::block::{Block, Face, Side};
 use crate::geometry::Vec2;
 use erode_physics::return_mapping::ReturnError;
 use thiserror::Error;
@@ -70,6 +70,33 @@ pub enum SolidError {
     NoSurface {
         /// The face.
         side: Side,
+    },
+    /// A load beside the body.
+    #[error(
+        "the load of half width {half_width} m at {centre} m on the {side:?} face does not act on the body: its centre must \
+         lie on the face, which goes from {} m to {} m, and its half width must be positive",
+        face[0],
+        face[1]
+    )]
+    LoadOutside {
+        /// The face.
+        side: Side,
+        /// Centre along the face, m.
+        centre: f64,
+        /// Half width, m.
+        half_width: f64,
+        /// Ends of the face, m.
+        face: [f64; 2],
+    },
+    /// A load on a face whose condition leaves no room for one.
+    #[error(
+        "no load can act on the {side:?} face, which is {face:?}; it needs a face with given pressure or motion"
+    )]
+    NotLoadable {
+        /// The face.
+        side: Side,
+        /// Its condition.
+        face: Face,
     },
     /// An indenter that cannot press on the body.
     #[error("the indenter is not usable: {why}")]

@@ -289,9 +289,10 @@ impl Solid {
         for image in &reference.mirror_images {
             scratch.flux.push(at(image));
             let b = image.source as usize;
-            let (x, f) = (state.position[b], state.deformation[b]);
-            let f = image.deformation(block, surfaces, x, f);
-            scratch.deformation.push(f);
+            let (x, start) = (state.position[b], reference.position[b]);
+            let u = [x[0] - start[0], x[1] - start[1]];
+            let f = state.deformation[b];
+            (scratch.deformation).push(image.deformation(block, surfaces, start, u, f));
         }
         scratch.open_flux.clear();
         scratch

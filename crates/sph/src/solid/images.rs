@@ -6,8 +6,9 @@
 //!
 //! Place x' of an image for a face that moves by U(X_t) (zero where nothing is prescribed), with slope s = dU_n/dX_t:
 //! mirror: u'_n = -u_n, u'_t = u_t; bonded: u' = 2 U - u, velocities the same;
-//! slip: the particle is mirrored in the tangent of the moved face, x' = x + 2 g n/(1 + s^2), g = X_face + U_n - x_n,
-//! n = 1 along the normal axis and -s along the face, so that normals stay normal and no shear arises from the slope.
+//! slip: the particle is mirrored in the tangent of the moved face, x' = x + 2 g n/(1 + s^2), with n = 1 along the normal axis
+//! and -s along the face and g = (x_foot - x).n = d (1 + s^2) + U_n - u_n for the foot of a normal of length d that turned
+//! with the face. So normals stay normal, no shear arises from the slope, and a body that turns with its face is at rest.
 
 use super::block::{Block, Reflection, Side};
 use super::mat2::{Mat2, mirrored, product, scaled};
@@ -97,8 +98,8 @@ impl Image {
                 Reflection::Slip => {
                     let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
                     let distance = block.coordinate(step.side) - start[n];
-                    let gap = distance + wall.displacement[n] - u[n];
                     let (s, k) = wall.tilt(n);
+                    let gap = distance * (1.0 + s * s) + wall.displacement[n] - u[n];
                     u[n] += 2.0 * (gap * k - distance);
                     u[t] -= 2.0 * gap * k * s;
                 }
@@ -141,12 +142,14 @@ impl Image {
         self.steps().fold(m, |m, _| mirrored(&m))
     }
 
-    /// Deformation gradient of the image: the derivative of its place by its reference place.
+    /// Deformation gradient of the image: the derivative of its place by its reference place; its particle was at `start` and
+    /// has moved by u.
     pub(super) fn deformation(
         &self,
         block: &Block,
         surfaces: &[Surface],
-        place: Vec2,
+        start: Vec2,
+        u: Vec2,
         mut f: Mat2,
     ) -> Mat2 {
         let mut turned = [1.0, 1.0];
@@ -156,14 +159,16 @@ impl Image {
                 Reflection::Mirror | Reflection::Open => f = mirrored(&f),
                 Reflection::Slip => {
                     let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
-                    let gap = block.coordinate(step.side) + wall.displacement[n] - place[n];
                     let (s, k) = wall.tilt(n);
+                    let distance = block.coordinate(step.side) - start[n];
+                    let gap = distance * (1.0 + s * s) + wall.displacement[n] - u[n];
                     let change = -2.0 * s * wall.curvature * k * k;
-                    let rise = s - f[n][t];
+                    let rise = s - f[n][t] + 2.0 * s * wall.curvature * distance;
+                    let deep = 2.0 * k * (f[n][n] + s * s);
                     f[t][t] -= 2.0 * (s * k * rise + gap * (k * wall.curvature + change * s));
-                    f[t][n] = -f[t][n] - 2.0 * k * s * f[n][n];
+                    f[t][n] = -f[t][n] - s * deep;
                     f[n][t] += 2.0 * (k * rise + gap * change);
-                    f[n][n] *= 2.0 * k - 1.0;
+                    f[n][n] = deep - f[n][n];
                 }
                 Reflection::Bonded => {
                     let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);

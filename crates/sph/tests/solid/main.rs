@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used)] // a failed test may panic
 
 mod bodies;
+mod contact;
 mod damage;
 mod dynamics;
 mod equilibrium;
+mod faces;
 mod kinematics;
 mod large_strain;
 mod ledger;

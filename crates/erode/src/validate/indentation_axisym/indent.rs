@@ -2,7 +2,7 @@
 
 use super::reference::{COMPONENTS, Top};
 use crate::validate::Failure;
-use crate::validate::steel_lattice::{Lattice, peak_strain};
+use crate::validate::steel_lattice::Lattice;
 use erode_physics::load::gaussian_one_percent;
 use erode_sph::Geometry;
 use erode_sph::solid::{Driven, Face, Formulation, QuasiStatic, Side, Solid, Tangential};
@@ -120,7 +120,7 @@ impl Case {
         Ok(Indented {
             line: self.line(&lattice, &solid),
             force,
-            peak_strain: peak_strain(&solid).0,
+            peak_strain: lattice.peak_strain(&solid),
             plastic_work: solid.energy().plastic_work,
             inertia: solid.inertia_share(),
             defect: solid.energy_defect() / solid.state.work.driving,
