@@ -176,7 +176,7 @@ impl Block {
     pub fn check(&self, geometry: Geometry) -> Result<(), SolidError> {
         let error = |why: &str| {
             Err(SolidError::BadBlock {
-                block: *self,
+                block: Box::new(*self),
                 why: why.to_owned(),
             })
         };
@@ -202,7 +202,12 @@ impl Block {
 
     /// A driven part must lie on its face, and a driven face must leave its neighbours their own conditions.
     fn check_driven(&self) -> Result<(), SolidError> {
-        let bad = |why: String| Err(SolidError::BadBlock { block: *self, why });
+        let bad = |why: String| {
+            Err(SolidError::BadBlock {
+                block: Box::new(*self),
+                why,
+            })
+        };
         for side in Side::ALL {
             let Face::Driven(driven) = self.face(side) else {
                 continue;

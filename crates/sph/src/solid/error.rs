@@ -12,7 +12,7 @@ pub enum SolidError {
     #[error("the block of the solid {block:?} is not usable: {why}")]
     BadBlock {
         /// The block.
-        block: Block,
+        block: Box<Block>,
         /// The rule it breaks.
         why: String,
     },

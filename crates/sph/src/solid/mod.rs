@@ -262,7 +262,7 @@ impl Setup {
         let support = kernel::SUPPORT * self.numerics.smoothing_ratio * largest.sqrt();
         if (0..2).any(|k| self.block.upper[k] - self.block.lower[k] < support) {
             return Err(SolidError::BadBlock {
-                block: self.block,
+                block: Box::new(self.block),
                 why: format!("it is thinner than the kernel of its largest particle, {support} m"),
             });
         }
