@@ -70,7 +70,8 @@ fn scalars(q: &erode_sph::solid::State) -> [(&'static str, &Vec<f64>); 9] {
 pub(crate) fn accounts(world: &World) -> Value {
     let all = world.bodies.iter().map(|named| match &named.body {
         Body::Fluid(f) => json!(f.account),
-        Body::Solid(s) => json!(s.state.work),
+        // A renewed reference configuration goes with it.
+        Body::Solid(s) => json!({ "work": s.state.work, "base": s.state.base }),
     });
     all.collect()
 }
@@ -155,8 +156,10 @@ pub(crate) fn restore(
                 s.state.damage = numbers("damage", n)?;
                 s.state.damage_work = numbers("damage_work", n)?;
                 s.state.removed = numbers("removed", n)?;
-                s.state.work = serde_json::from_value(account).map_err(wrong)?;
-                s.follow_surfaces();
+                s.state.work = serde_json::from_value(account["work"].clone()).map_err(wrong)?;
+                s.state.base = serde_json::from_value(account["base"].clone()).map_err(wrong)?;
+                s.take_up()
+                    .map_err(|e| RunError::Checkpoint(format!("body `{name}`: {e}")))?;
             }
         }
     }
