@@ -3,6 +3,7 @@
 use super::{
     keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
     keys_bubbles::SINGLE_BUBBLE,
+    keys_cloud::BUBBLE_CLOUD,
     keys_material::MATERIAL,
     schema::{
         Kind::{Count, List, Map, Name, Pair, Quantity, Switch, Text},
@@ -102,8 +103,18 @@ static SETUP: Table = Table {
             Nested(&SINGLE_BUBBLE),
             "one spherical bubble of gas and vapour in unbounded liquid: its radius over time",
         ),
+        optional(
+            "bubble_cloud",
+            Nested(&BUBBLE_CLOUD),
+            "many bubbles that a given flow carries, and what their collapses announce for a wall",
+        ),
     ],
-    one_of: &["bubble_near_wall", "bubble_in_liquid", "single_bubble"],
+    one_of: &[
+        "bubble_near_wall",
+        "bubble_in_liquid",
+        "single_bubble",
+        "bubble_cloud",
+    ],
 };
 
 static BUBBLE_NEAR_WALL: Table = table(

@@ -1,6 +1,6 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
-use super::bubbles::SingleBubble;
+use super::{bubbles::SingleBubble, cloud::BubbleCloud};
 use erode_physics::{Elastic, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
@@ -24,6 +24,8 @@ pub struct Simulation {
     pub bubble: Option<Bubble>,
     /// A spherical bubble in unbounded liquid; there are no bodies then.
     pub single_bubble: Option<SingleBubble>,
+    /// A cloud of bubbles in a given flow; there are no bodies then.
+    pub bubble_cloud: Option<BubbleCloud>,
 }
 
 impl Simulation {
