@@ -4,5 +4,6 @@ pub mod case;
 pub mod materials;
 pub mod output;
 pub mod report;
+pub mod reproduce;
 pub mod run;
 pub mod validate;

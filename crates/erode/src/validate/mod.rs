@@ -7,7 +7,7 @@
 mod axis_consistency;
 mod bubble;
 mod bubble_rise;
-mod bubble_vortex;
+pub(crate) mod bubble_vortex;
 mod check;
 mod columns;
 mod erosion_formulae;
@@ -20,7 +20,7 @@ mod markdown;
 mod materials;
 mod number;
 mod rayleigh_collapse;
-mod table;
+pub(crate) mod table;
 
 pub use check::{Check, Kind};
 pub use error::{Failure, ValidateError};
