@@ -1,6 +1,6 @@
 //! Figures 13 to 16 of Peters and el Moctar 2020: bubbles in a vortex, with corrected forces, nothing tuned.
 
-use super::Reproduction;
+use super::{Reproduction, at_most};
 use crate::validate::bubble_vortex::ride::{Ride, START, Setup};
 use crate::validate::{Check, Failure, Figure, Finding, Style};
 use erode_fv::bubbles::carrier::VortexForm;
@@ -166,6 +166,15 @@ fn figure_15(say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
             "\"also the amplitudes of their size oscillations increased\"",
         ));
     }
+    for (ride, label) in rides.iter().zip(&labels) {
+        checks.push(Check::shown(
+            format!("largest radius over the first, cavitation number {label}"),
+            "-",
+            ride.max_radius(),
+            None,
+            "\"averaging prevented an unbounded growth\": no number is given",
+        ));
+    }
     Ok(Finding {
         checks,
         figures: vec![
@@ -206,12 +215,12 @@ fn figure_16(say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
                 2.0,
                 "\"oscillatory behaviour\"",
             ),
-            Check::at_least(
-                "all forces: turns before the core",
+            at_most(
+                "all forces: distance after one turn / first distance",
                 "-",
-                rides[0].turns_to_core(),
+                rides[0].distance_after_turn() / START,
                 1.0,
-                "\"a spiral-shaped path\"",
+                "\"approached the vortex centre following a spiral-shaped path\"",
             ),
         ],
         figures: vec![curves("paths", PATH, &labels, &rides, Ride::path)],
