@@ -37,6 +37,7 @@ pub(super) const ALL: [Reproduction; 4] = [
 ];
 
 const RADII: [f64; 3] = [0.8e-3, 2e-3, 5e-3];
+#[allow(clippy::approx_constant)] // not pi: a cavitation number of the source
 const CAVITATION: [f64; 3] = [3.602, 3.142, 2.682];
 /// Simulated time, s.
 const DURATION: f64 = 40.0;
