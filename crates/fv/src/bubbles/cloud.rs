@@ -4,6 +4,7 @@
 //! bits do not depend on the number of threads. Written down and read back (serde), a cloud continues with the same bits.
 
 use super::carrier::{Carrier, CarrierError};
+use super::motion::SlipLedger;
 use super::records::{Begin, CloudLedger, CollapseRecord, Fate, Lost};
 use super::settings::{Settings, SettingsError};
 use super::traveller::{Bubble, Stop, Traveller};
@@ -82,8 +83,8 @@ pub struct Cloud {
     pub gas: Vec<Gas>,
     /// Masses, kg.
     pub mass: Vec<f64>,
-    /// Energy that drag has taken from the slip, J.
-    pub drag_loss: Vec<f64>,
+    /// What the slip gained and lost.
+    pub slip_ledger: Vec<SlipLedger>,
     /// Where the collapse in progress began.
     pub begin: Vec<Option<Begin>>,
     /// Bubbles that are gone.
@@ -146,7 +147,7 @@ impl Cloud {
             state,
             gas: new.gas,
             mass: new.mass,
-            drag_loss: 0.0,
+            slip_ledger: SlipLedger::default(),
             begin: None,
         });
         self.ledger.injected += 1;
@@ -214,7 +215,7 @@ impl Cloud {
             position: b.position,
             radius: b.state.radius,
             mass: b.mass,
-            drag_loss: b.drag_loss,
+            slip_ledger: b.slip_ledger,
             fate,
         });
     }
@@ -227,7 +228,7 @@ impl Cloud {
             state: self.state[k],
             gas: self.gas[k],
             mass: self.mass[k],
-            drag_loss: self.drag_loss[k],
+            slip_ledger: self.slip_ledger[k],
             begin: self.begin[k],
         }
     }
@@ -239,7 +240,7 @@ impl Cloud {
         self.state.push(b.state);
         self.gas.push(b.gas);
         self.mass.push(b.mass);
-        self.drag_loss.push(b.drag_loss);
+        self.slip_ledger.push(b.slip_ledger);
         self.begin.push(b.begin);
     }
 
@@ -250,7 +251,7 @@ impl Cloud {
         self.state.clear();
         self.gas.clear();
         self.mass.clear();
-        self.drag_loss.clear();
+        self.slip_ledger.clear();
         self.begin.clear();
     }
 }

@@ -15,6 +15,7 @@ mod totals;
 mod traveller;
 
 pub use cloud::{Cloud, CloudError, NewBubble};
+pub use motion::SlipLedger;
 pub use records::{Begin, CloudLedger, CollapseRecord, Fate, Lost, deposit};
 pub use seeding::{Seeded, Seeding, SeedingError};
 pub use settings::{Averaging, Settings, SettingsError};

@@ -1,5 +1,6 @@
 //! What the cloud reports: collapses, what they announce for the wall, and bubbles that are gone.
 
+use super::motion::SlipLedger;
 use crate::vector::Vector;
 use erode_physics::erosion::{Assessment, PotentialMap, SurfaceError};
 use serde::{Deserialize, Serialize};
@@ -65,8 +66,8 @@ pub struct Lost {
     pub radius: f64,
     /// Mass, kg.
     pub mass: f64,
-    /// Energy that drag had taken from it, J.
-    pub drag_loss: f64,
+    /// What its slip had gained and lost.
+    pub slip_ledger: SlipLedger,
     /// Why.
     pub fate: Fate,
 }
@@ -94,7 +95,7 @@ pub struct CloudLedger {
     pub no_wall: u64,
     /// Of these whose data the model cannot use: not finite, or a collapse without a beginning that was seen.
     pub not_assessed: u64,
-    /// Times a bubble was held at a wall.
+    /// Steps of motion that ended with a bubble held at a wall.
     pub wall_contacts: u64,
     /// Points of surface averages outside the flow.
     pub average_points_left_out: u64,

@@ -42,7 +42,8 @@ pub struct Settings {
     /// Where the flow is taken.
     pub averaging: Averaging,
     /// Whether the slip lowers the pressure on the bubble (last term of 3.36). The source leaves it out for bubbles smaller
-    /// than a cell. It costs: substeps then follow the radius.
+    /// than a cell; the energy of a slip that a collapse concentrates then comes from nowhere (see `SlipLedger`). It costs:
+    /// substeps then follow the radius.
     pub slip: bool,
     /// Erosion model.
     pub erosion: LagrangianModel,

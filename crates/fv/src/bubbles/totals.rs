@@ -1,11 +1,15 @@
 //! Sums over a cloud: mass, volume, energy.
 //!
-//! kinetic of the slip: (m_b + rho V/2) |u_b - u_c|^2/2; with `slip` it exchanges energy with the radius through the last term
-//! of (3.36). drag_loss: what drag took from it. Radial energies as in `erode_physics::bubble::Energy`. J, kg, m3; serial sums.
+//! Two balances, J:
+//! - slip: slip_energy = drive_work - drag_loss - exchange + what bubbles had when they came and took when they went;
+//!   slip_energy = (m + rho V/2) |u_b - u|^2/2;
+//! - radius: as in `erode_physics::bubble::Energy`, the potential with the slip term where the settings have it.
+//!
+//! With the slip term the radius receives `exchange`; without it, it does not, and the sum of both is not kept. Serial sums.
 
 use super::carrier::{Carrier, CarrierError};
 use super::cloud::Cloud;
-use super::motion::effective_mass;
+use super::motion::{SlipLedger, effective_mass};
 use super::settings::Settings;
 use crate::vector::{dot, sub};
 use erode_physics::bubble::{Ambient, Energy};
@@ -24,8 +28,8 @@ pub struct Totals {
     pub volume: f64,
     /// Kinetic energy of the slip, J.
     pub slip_energy: f64,
-    /// Taken by drag so far, of bubbles present and gone, J.
-    pub drag_loss: f64,
+    /// What slips gained and lost so far, of bubbles present and gone.
+    pub slip_ledger: SlipLedger,
     /// Kinetic energy of the radial motion, J.
     pub radial_kinetic: f64,
     /// Of the liquid pushed away and the surfaces, J.
@@ -52,23 +56,26 @@ impl Cloud {
     ) -> Result<Totals, CarrierError> {
         let mut sum = Totals {
             bubbles: self.len() as u64,
-            lost_mass: self.lost.iter().map(|l| l.mass).sum(),
-            drag_loss: self.lost.iter().map(|l| l.drag_loss).sum(),
+            lost_mass: self.lost.iter().fold(0.0, |sum, l| sum + l.mass),
             ..Totals::default()
         };
+        for lost in &self.lost {
+            sum.slip_ledger.add(&lost.slip_ledger);
+        }
         for k in 0..self.len() {
             let flow = carrier.at(self.position[k], self.time)?;
             let slip = sub(flow.velocity, self.velocity[k]);
             let (state, mass) = (&self.state[k], self.mass[k]);
             let ambient = Ambient {
                 pressure: flow.pressure,
+                slip_squared: if settings.slip { dot(slip, slip) } else { 0.0 },
                 ..Ambient::default()
             };
             let m = effective_mass(&settings.forces, mass, state.radius, flow.density);
             sum.mass += mass;
             sum.volume += state.volume();
             sum.slip_energy += 0.5 * m * dot(slip, slip);
-            sum.drag_loss += self.drag_loss[k];
+            sum.slip_ledger.add(&self.slip_ledger[k]);
             sum.add_radial(&state.energy(&settings.liquid, &self.gas[k], &ambient));
         }
         Ok(sum)

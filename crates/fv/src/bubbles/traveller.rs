@@ -4,7 +4,7 @@
 //! its law along these lines, and after every step of the radius the velocity and place follow. Second order in the substep.
 
 use super::carrier::{Carrier, CarrierError, CarrierPoint, surface_average};
-use super::motion::{Leg, between, kick};
+use super::motion::{Leg, SlipLedger, between, kick};
 use super::records::{Begin, CloudLedger, CollapseRecord, Fate};
 use super::settings::Settings;
 use crate::vector::{Vector, along, dot, mix, norm, scale, sub};
@@ -26,7 +26,7 @@ pub(super) struct Bubble {
     pub(super) state: BubbleState,
     pub(super) gas: Gas,
     pub(super) mass: f64,
-    pub(super) drag_loss: f64,
+    pub(super) slip_ledger: SlipLedger,
     pub(super) begin: Option<Begin>,
 }
 
@@ -251,7 +251,7 @@ impl<'a, C: Carrier> Traveller<'a, C> {
         }
         self.bubble.velocity = velocity;
         self.bubble.position = place;
-        self.bubble.drag_loss += after.drag_loss;
+        self.bubble.slip_ledger.add(&after.energy);
         self.reached = (time, radius);
     }
 

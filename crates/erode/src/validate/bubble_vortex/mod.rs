@@ -17,6 +17,8 @@ pub(super) const VALIDATION: Validation = Validation {
 };
 
 const RADII: [f64; 3] = [0.8e-3, 2e-3, 5e-3];
+/// Core cavitation numbers; one of them happens to look like pi.
+#[allow(clippy::approx_constant)]
 const CAVITATION: [f64; 3] = [3.602, 3.142, 2.682];
 /// N as the source prints it.
 const PRINTED_N: [f64; 3] = [2.52, 1.01, 0.40];
