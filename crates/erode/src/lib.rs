@@ -5,5 +5,6 @@ pub mod erosion;
 pub mod materials;
 pub mod output;
 pub mod report;
+pub mod reproduce;
 pub mod run;
 pub mod validate;

@@ -9,7 +9,7 @@ use super::{
 #[must_use]
 pub fn check_advice(simulation: &Simulation) -> Vec<String> {
     let mut advice = Vec::new();
-    if simulation.single_bubble.is_some() {
+    if simulation.single_bubble.is_some() || simulation.bubble_cloud.is_some() {
         many_rows(simulation, &mut advice);
         return advice;
     }

@@ -2,7 +2,7 @@
 
 use super::{
     body::{self, Built},
-    bubbles,
+    bubbles, cloud,
     error::{Findings, Span},
     estimate,
     loads::{self, Loads},
@@ -26,8 +26,8 @@ pub(crate) fn simulation(
     for (name, material) in f.table("material").map_or(&[][..], |t| t.entries) {
         library.add(name, material);
     }
-    if let Some(("single_bubble", setup)) = f.chosen("setup") {
-        return bubbles(f, setup, findings);
+    if let Some((name @ ("single_bubble" | "bubble_cloud"), setup)) = f.chosen("setup") {
+        return bubbles(f, name, setup, findings);
     }
     let geometry = match f.chosen("geometry") {
         Some(("plane", _)) => Geometry::Plane,
@@ -60,32 +60,52 @@ pub(crate) fn simulation(
         bubble,
         loads: loads?,
         single_bubble: None,
+        bubble_cloud: None,
     })
 }
 
 /// A case of bubbles whose liquid is not filled with particles: nothing but their setup, duration and output.
-fn bubbles(f: Fields<'_>, setup: Fields<'_>, findings: &mut Findings) -> Option<Simulation> {
+fn bubbles(
+    f: Fields<'_>,
+    name: &str,
+    setup: Fields<'_>,
+    findings: &mut Findings,
+) -> Option<Simulation> {
     for key in [
         "body", "bubble", "probe", "geometry", "indenter", "pressure", "settling",
     ] {
         // The default geometry has the place of the whole file.
         if f.node(key).is_some_and(|n| n.span != f.span) {
             let help = format!("leave `{key}` out: this setup has no bodies of particles");
-            let message = format!("`{key}` has no meaning beside [setup.single_bubble]");
+            let message = format!("`{key}` has no meaning beside [setup.{name}]");
             findings.error(f.at(key), message, "not used here", help);
         }
     }
-    let (bubble, proposed) = bubbles::single_bubble(setup, findings)?;
+    let (mut single_bubble, mut bubble_cloud, mut proposed) = (None, None, None);
+    let usual;
+    if name == "single_bubble" {
+        let (bubble, end) = bubbles::single_bubble(setup, findings)?;
+        (single_bubble, proposed) = (Some(bubble), Some(end));
+        usual = "Spherical bubble in unbounded liquid";
+    } else {
+        bubble_cloud = cloud::bubble_cloud(setup, findings);
+        usual = "Bubbles in a flow";
+    }
     let r = f.table("run")?;
+    if r.node("end_time").is_none() && proposed.is_none() {
+        let help = "a cloud goes on as long as you want; write for example end_time = \"1 ms\"";
+        findings.error(r.span, "[run] lacks `end_time`", "needed here", help);
+    }
     let end_time = match r.node("end_time") {
         Some(_) => r.number("end_time")?,
-        None => proposed,
+        None => proposed?,
     };
+    if single_bubble.is_none() && bubble_cloud.is_none() {
+        return None;
+    }
     let title = f.text("title").filter(|t| !t.is_empty());
     Some(Simulation {
-        title: title
-            .unwrap_or("Spherical bubble in unbounded liquid")
-            .to_owned(),
+        title: title.unwrap_or(usual).to_owned(),
         geometry: Geometry::Axisymmetric,
         bodies: Vec::new(),
         run: Run {
@@ -97,7 +117,8 @@ fn bubbles(f: Fields<'_>, setup: Fields<'_>, findings: &mut Findings) -> Option<
         probes: Vec::new(),
         bubble: None,
         loads: Loads::default(),
-        single_bubble: Some(bubble),
+        single_bubble,
+        bubble_cloud,
     })
 }
 

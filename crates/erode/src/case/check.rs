@@ -207,6 +207,7 @@ fn default_value(kind: Kind, text: &str, span: Span) -> Raw {
     let number = || RawValue::Float(text.parse().unwrap_or(f64::NAN));
     let value = match kind {
         Kind::Switch => RawValue::Switch(text == "true"),
+        Kind::Count(_) => RawValue::Integer(text.parse().unwrap_or(f64::NAN)),
         Kind::Text | Kind::Name => RawValue::Text(text.to_owned()),
         Kind::Pair(_) => RawValue::List(vec![
             Raw {

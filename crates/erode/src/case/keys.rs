@@ -3,6 +3,7 @@
 use super::{
     keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
     keys_bubbles::SINGLE_BUBBLE,
+    keys_cloud::BUBBLE_CLOUD,
     keys_load::{INDENTATION, INDENTER, LOAD, PRESSURE_PULSE, SETTLING},
     keys_material::MATERIAL,
     schema::{
@@ -128,6 +129,11 @@ static SETUP: Table = Table {
             Nested(&SINGLE_BUBBLE),
             "one spherical bubble of gas and vapour in unbounded liquid: its radius over time",
         ),
+        optional(
+            "bubble_cloud",
+            Nested(&BUBBLE_CLOUD),
+            "many bubbles that a given flow carries, and what their collapses announce for a wall",
+        ),
     ],
     one_of: &[
         "bubble_near_wall",
@@ -135,6 +141,7 @@ static SETUP: Table = Table {
         "indentation",
         "pressure_pulse",
         "single_bubble",
+        "bubble_cloud",
     ],
 };
 

@@ -121,7 +121,7 @@ pub(crate) static GAS: Table = Table {
 };
 
 /// Polytropic exponents.
-const EXPONENT: super::schema::Kind = Quantity(NUMBER, Within(1.0, 5.0 / 3.0));
+pub(super) const EXPONENT: super::schema::Kind = Quantity(NUMBER, Within(1.0, 5.0 / 3.0));
 const ABOUT_EXPONENT: &str = "polytropic exponent k of the gas: 1 isothermal, 4/3 or 1.4 adiabatic";
 
 static EQUILIBRIUM: Table = table(

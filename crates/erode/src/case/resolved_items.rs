@@ -3,6 +3,7 @@
 use super::{
     body::named,
     bubbles::single_bubble_items,
+    cloud::bubble_cloud_items,
     resolved::{Item, Items},
     resolved_loads::load_items,
     simulation::{
@@ -17,7 +18,14 @@ use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 /// The whole case.
 pub(crate) fn case_items(s: &Simulation) -> Items {
     if let Some(bubble) = &s.single_bubble {
-        return bubble_case_items(s, single_bubble_items(bubble));
+        return bubble_case_items(
+            s,
+            choice("single_bubble", single_bubble_items(bubble)),
+            false,
+        );
+    }
+    if let Some(cloud) = &s.bubble_cloud {
+        return bubble_case_items(s, choice("bubble_cloud", bubble_cloud_items(cloud)), true);
     }
     let geometry = match s.geometry {
         Geometry::Axisymmetric => "axisymmetric",
@@ -56,16 +64,19 @@ pub(crate) fn case_items(s: &Simulation) -> Items {
 }
 
 /// A case of bubbles without bodies.
-fn bubble_case_items(s: &Simulation, setup: Items) -> Items {
+fn bubble_case_items(s: &Simulation, setup: Item, fields: bool) -> Items {
     let mut run = vec![("end_time", Item::Number(s.run.end_time))];
     run.extend(s.run.max_steps.map(|n| ("max_steps", Item::Whole(n))));
-    let history = ("history_every", Item::Number(s.output.history_every));
+    let mut output = vec![("history_every", Item::Number(s.output.history_every))];
+    if fields {
+        output.push(("fields_every", Item::Number(s.output.fields_every)));
+    }
     let every = ("every", Item::Number(s.output.checkpoint_every));
     vec![
         ("title", Item::Text(s.title.clone())),
-        ("setup", choice("single_bubble", setup)),
+        ("setup", setup),
         ("run", Item::Table(run)),
-        ("output", Item::Table(vec![history])),
+        ("output", Item::Table(output)),
         ("checkpoint", Item::Table(vec![every])),
     ]
 }

@@ -1,6 +1,6 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
-use super::{bubbles::SingleBubble, loads::Loads};
+use super::{bubbles::SingleBubble, cloud::BubbleCloud, loads::Loads};
 use erode_physics::{Elastic, damage::Damage, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,8 @@ pub struct Simulation {
     pub loads: Loads,
     /// A spherical bubble in unbounded liquid; there are no bodies then.
     pub single_bubble: Option<SingleBubble>,
+    /// A cloud of bubbles in a given flow; there are no bodies then.
+    pub bubble_cloud: Option<BubbleCloud>,
 }
 
 impl Simulation {

@@ -16,6 +16,8 @@ pub(crate) const TEMPERATURE: Dimension = Dimension([0, 0, 0, 1]);
 pub(crate) const VELOCITY: Dimension = Dimension([1, 0, -1, 0]);
 pub(crate) const PRESSURE: Dimension = Dimension([-1, 1, -2, 0]);
 pub(crate) const DENSITY: Dimension = Dimension([-3, 1, 0, 0]);
+pub(crate) const CIRCULATION: Dimension = Dimension([2, 0, -1, 0]);
+pub(crate) const ACCELERATION: Dimension = Dimension([1, 0, -2, 0]);
 pub(crate) const VISCOSITY: Dimension = Dimension([-1, 1, -1, 0]);
 pub(crate) const SURFACE_TENSION: Dimension = Dimension([0, 1, -2, 0]);
 pub(crate) const RATE: Dimension = Dimension([0, 0, -1, 0]);
@@ -30,6 +32,8 @@ const NAMED: &[(Dimension, &str, &str, &str)] = &[
     (VELOCITY, "a velocity", "m/s", "\"1500 m/s\""),
     (PRESSURE, "a pressure", "Pa", "\"50 MPa\""),
     (DENSITY, "a density", "kg/m^3", "\"7800 kg/m^3\""),
+    (CIRCULATION, "a circulation", "m^2/s", "\"0.29 m^2/s\""),
+    (ACCELERATION, "an acceleration", "m/s^2", "\"9.81 m/s^2\""),
     (VISCOSITY, "a viscosity", "Pa s", "\"1 mPa s\""),
     (SURFACE_TENSION, "a surface tension", "N/m", "\"72.5 mN/m\""),
     (RATE, "a rate", "1/s", "\"0.05 1/s\""),

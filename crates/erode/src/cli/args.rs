@@ -88,6 +88,16 @@ pub(crate) enum Command {
   erode validate rayleigh-collapse
   erode validate --all --quick --json results.json")]
     Validate(ValidateArgs),
+    /// A figure of the sources: computed, drawn, compared with the text
+    #[command(
+        long_about = "Computes figures and tables of the sources again, draws them (SVG and HTML), and compares them with \
+                            what the text beside them states. Without an ID, lists what there is. A statement that is not \
+                            met ends with exit code 2; nothing is tuned to a misprint."
+    )]
+    #[command(after_long_help = "Examples:
+  erode reproduce peters-fig-11
+  erode reproduce peters-fig-13 peters-fig-14 -o figures --json figures.json")]
+    Reproduce(ReproduceArgs),
     /// The material library, with sources
     #[command(
         long_about = "Lists the materials, or shows one in full: each number with its unit and source, and what \
@@ -180,6 +190,20 @@ pub(crate) struct ValidateArgs {
     /// Write validation.md and its figures into a folder, such as docs
     #[arg(long, value_name = "DIR")]
     pub(crate) markdown: Option<PathBuf>,
+}
+
+/// `erode reproduce`
+#[derive(Debug, Args)]
+pub(crate) struct ReproduceArgs {
+    /// What to reproduce; leave it out to list all
+    #[arg(value_name = "ID")]
+    pub(crate) ids: Vec<String>,
+    /// Folder for the figures
+    #[arg(short, long, value_name = "DIR", default_value = "reproduced")]
+    pub(crate) output: PathBuf,
+    /// Write the results to a file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
 }
 
 /// `erode materials`

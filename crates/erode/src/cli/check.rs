@@ -6,12 +6,12 @@ use super::{
     format::{columns, count, duration, si, significant},
     say::say,
 };
-use erode::case::bubbles::SingleBubble;
 use erode::case::{
     Body, BodyKind, Case, Loaded, Simulation, check_advice,
     estimate::{Estimate, PARTICLE_STEPS_PER_SECOND, bytes, estimate},
     json_schema,
 };
+use erode::case::{bubbles::SingleBubble, cloud::BubbleCloud};
 use erode_physics::bubble::{BubbleModel, blake_pressure, critical_radius, equilibrium_radius};
 use erode_sph::Geometry;
 
@@ -42,6 +42,10 @@ fn print_summary(loaded: &Loaded) {
         columns(&bubble_facts(s, bubble))
             .iter()
             .for_each(|l| say!("{l}"));
+    } else if let Some(cloud) = &s.bubble_cloud {
+        columns(&cloud_facts(s, cloud))
+            .iter()
+            .for_each(|l| say!("{l}"));
     } else {
         print_bodies(s);
     }
@@ -69,6 +73,34 @@ fn print_bodies(s: &Simulation) {
     for line in columns(&cost(s, &e)) {
         say!("{line}");
     }
+}
+
+/// What is known of a cloud before it runs.
+fn cloud_facts(s: &Simulation, c: &BubbleCloud) -> Vec<Vec<String>> {
+    let row = |name: &str, text: String| vec![name.to_owned(), text];
+    let o = &s.output;
+    let every = format!(
+        "history every {}, fields every {}, checkpoint every {}",
+        si(o.history_every, "s"),
+        si(o.fields_every, "s"),
+        si(o.checkpoint_every, "s")
+    );
+    vec![
+        row(
+            "bubbles",
+            format!("{}, mean radius {}", c.count, si(c.nuclei.mean(), "m")),
+        ),
+        row(
+            "law",
+            format!(
+                "`{}`, tolerance {}",
+                c.model.name(),
+                significant(c.tolerance)
+            ),
+        ),
+        row("end time", si(s.run.end_time, "s")),
+        row("output", every),
+    ]
 }
 
 /// What is known of a single bubble before it runs.

@@ -6,6 +6,7 @@ mod failure;
 mod format;
 mod materials;
 mod new;
+mod reproduce;
 mod run;
 mod say;
 mod status;
@@ -47,6 +48,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Resume(args) => run::resume(args),
         Command::Report(args) => status::report(args),
         Command::Validate(args) => validate::run(args),
+        Command::Reproduce(args) => reproduce::run(args),
         Command::Status(args) => status::status(args),
     }
 }

@@ -19,7 +19,7 @@ pub(crate) struct Template {
     pub(crate) text: &'static str,
 }
 
-pub(crate) const TEMPLATES: [Template; 7] = [
+pub(crate) const TEMPLATES: [Template; 8] = [
     Template {
         name: "bubble-near-wall",
         about: "a bubble near a steel wall, hit by a pressure step: jet, ring, pit",
@@ -49,6 +49,11 @@ pub(crate) const TEMPLATES: [Template; 7] = [
         name: "single-bubble",
         about: "the radius of a gas bubble in an acoustic field: growth, collapse, rebounds",
         text: include_str!("../../../../cases/single-bubble/case.toml"),
+    },
+    Template {
+        name: "bubble-cloud",
+        about: "nuclei above a wall in an acoustic field: collapses and impacts",
+        text: include_str!("../../../../cases/bubble-cloud/case.toml"),
     },
     Template {
         name: "own-bodies",

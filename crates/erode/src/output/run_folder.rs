@@ -69,6 +69,11 @@ impl RunPaths {
         self.root.join("events.csv")
     }
 
+    /// The collapses of a cloud of bubbles, one row each.
+    pub fn collapses(&self) -> PathBuf {
+        self.root.join("collapses.csv")
+    }
+
     /// The table of a probe.
     pub fn probe(&self, name: &str) -> PathBuf {
         self.root.join("probes").join(format!("{name}.csv"))

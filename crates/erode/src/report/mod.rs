@@ -4,7 +4,7 @@
 
 mod colour;
 mod frame;
-mod html;
+pub(crate) mod html;
 mod instants;
 mod lookup;
 pub mod map;

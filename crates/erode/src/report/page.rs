@@ -4,7 +4,8 @@ use super::html::Page;
 use super::instants::Instants;
 use super::run_data::RunData;
 use super::sections::{
-    asked, bubble, energy, fields, load, probes, results, single_bubble, stepping, strain, wall,
+    asked, bubble, bubble_cloud, energy, fields, load, probes, results, single_bubble, stepping,
+    strain, wall,
 };
 
 /// The whole page as HTML.
@@ -13,6 +14,9 @@ pub(crate) fn compose(data: &RunData) -> String {
     let mut page = Page::default();
     let title = asked::title(data);
     asked::write_head(&mut page, data, &title);
+    if bubble_cloud::is(data) {
+        return compose_bubble_cloud(page, data, &title);
+    }
     if single_bubble::is(data) {
         return compose_single_bubble(page, data, &title);
     }
@@ -47,6 +51,18 @@ fn compose_single_bubble(mut page: Page, data: &RunData, title: &str) -> String 
     single_bubble::write(&mut page, data);
     energy::write(&mut page, data);
     stepping::write(&mut page, data, &Instants::default());
+    asked::write_files(&mut page, data);
+    page.finish(title)
+}
+
+/// The page of a run of a cloud of bubbles.
+fn compose_bubble_cloud(mut page: Page, data: &RunData, title: &str) -> String {
+    page.columns(
+        |left| results::write(left, data),
+        |right| asked::write(right, data),
+    );
+    bubble_cloud::write(&mut page, data);
+    energy::write(&mut page, data);
     asked::write_files(&mut page, data);
     page.finish(title)
 }

@@ -2,7 +2,7 @@
 
 use super::observer::Observer;
 use super::steps::Run;
-use super::{RunError, build, single_bubble};
+use super::{RunError, bubble_cloud, build, single_bubble};
 use crate::case::Case;
 use crate::output::{CheckpointStore, OutputError, RunFolder, hash_hex};
 use std::path::{Path, PathBuf};
@@ -54,6 +54,11 @@ pub fn start(
         return single_bubble::Run::new(folder, loaded.simulation, bubble, hash)?
             .go(stop, observer);
     }
+    if let Some(cloud) = loaded.simulation.bubble_cloud.clone() {
+        return with_threads(options.threads, || {
+            bubble_cloud::Run::new(folder, loaded.simulation, cloud, hash)?.go(stop, observer)
+        });
+    }
     with_threads(options.threads, || {
         observer.say("filling the bodies with particles");
         let world = build::world(&loaded.simulation)?;
@@ -99,6 +104,13 @@ pub fn resume(
             checkpoint,
         )?
         .go(stop, observer);
+    }
+    if let Some(cloud) = loaded.simulation.bubble_cloud.clone() {
+        let checkpoint = &found.checkpoint;
+        return with_threads(threads, || {
+            bubble_cloud::Run::from_checkpoint(folder, loaded.simulation, cloud, hash, checkpoint)?
+                .go(stop, observer)
+        });
     }
     with_threads(threads, || {
         let world = build::world(&loaded.simulation)?;

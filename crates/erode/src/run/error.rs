@@ -45,6 +45,9 @@ pub enum RunError {
     /// A bubble cannot be integrated.
     #[error(transparent)]
     Bubble(#[from] BubbleError),
+    /// A cloud of bubbles cannot go on.
+    #[error("{0}")]
+    Cloud(String),
     /// Files.
     #[error(transparent)]
     Output(#[from] OutputError),

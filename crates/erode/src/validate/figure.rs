@@ -43,7 +43,7 @@ pub struct Figure {
 
 impl Figure {
     /// An empty figure; axes are (quantity, SI unit).
-    pub(super) fn new(name: &str, title: &str, x: (&str, &str), y: (&str, &str)) -> Self {
+    pub(crate) fn new(name: &str, title: &str, x: (&str, &str), y: (&str, &str)) -> Self {
         let own = |(a, b): (&str, &str)| (a.to_owned(), b.to_owned());
         Self {
             name: name.into(),
@@ -55,7 +55,7 @@ impl Figure {
     }
 
     /// Adds a curve.
-    pub(super) fn add(&mut self, label: &str, style: Style, points: Vec<[f64; 2]>) {
+    pub(crate) fn add(&mut self, label: &str, style: Style, points: Vec<[f64; 2]>) {
         self.curves.push(Curve {
             label: label.into(),
             points,

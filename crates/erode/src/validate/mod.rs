@@ -7,7 +7,7 @@
 mod axis_consistency;
 mod bubble;
 mod bubble_rise;
-mod bubble_vortex;
+pub(crate) mod bubble_vortex;
 mod check;
 mod columns;
 mod erosion_formulae;
@@ -27,7 +27,7 @@ mod rayleigh_collapse;
 mod rows;
 mod steel_lattice;
 mod stress_waves;
-mod table;
+pub(crate) mod table;
 mod taylor_bar;
 
 pub use check::{Check, Kind};

@@ -59,6 +59,15 @@ pub(crate) fn checkpoints(dir: &Path) -> Vec<PathBuf> {
     paths
 }
 
+/// Standard error of `erode check` on a wrong case given as text.
+pub(crate) fn wrong(name: &str, text: &str) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bubbles-wrong");
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join(format!("{name}.toml"));
+    fs::write(&file, text).unwrap();
+    refused(&["check", file.to_str().unwrap()], 1)
+}
+
 /// Tables byte for byte; of the summary all but what tells of the machine.
 pub(crate) fn assert_identical(a: &Path, b: &Path, tables: &[&str]) {
     for file in tables {

@@ -2,5 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod cloud;
 mod common;
+mod reproduce;
 mod single;

@@ -1,10 +1,9 @@
 //! `[setup.single_bubble]`.
 
-use super::common::{assert_identical, case, checkpoints, fresh, refused, says, summary};
+use super::common::{assert_identical, case, checkpoints, fresh, refused, says, summary, wrong};
 use erode::output::Table;
 use erode::run::{self, Ended, Quiet, Start};
 use std::fs;
-use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 const TABLES: [&str; 3] = ["history.csv", "events.csv", "resolved.toml"];
@@ -138,14 +137,6 @@ fn a_pressure_step_is_followed_across_its_kinks() {
     assert!(s["energy_drift"].as_f64().unwrap().abs() < 1e-6);
     let pressure = history.column("ambient_pressure").unwrap();
     assert_eq!(pressure.last(), Some(&1e6));
-}
-
-fn wrong(name: &str, text: &str) -> String {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bubbles-wrong");
-    fs::create_dir_all(&folder).unwrap();
-    let file = folder.join(format!("{name}.toml"));
-    fs::write(&file, text).unwrap();
-    refused(&["check", file.to_str().unwrap()], 1)
 }
 
 #[test]

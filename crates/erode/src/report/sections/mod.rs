@@ -2,6 +2,7 @@
 
 pub(super) mod asked;
 pub(super) mod bubble;
+pub(super) mod bubble_cloud;
 pub(super) mod energy;
 pub(super) mod fields;
 pub(super) mod load;

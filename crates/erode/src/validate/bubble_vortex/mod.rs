@@ -1,6 +1,6 @@
 //! Bubbles in a vortex: how they are drawn in, beside the statements of the source.
 
-mod ride;
+pub(crate) mod ride;
 
 use super::check::Check;
 use super::{Failure, Figure, Finding, Style, Validation};

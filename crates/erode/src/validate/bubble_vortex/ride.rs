@@ -8,13 +8,13 @@ use erode_physics::bubble::{Liquid, Model, RayleighPlesset, equilibrium_gas};
 use std::f64::consts::TAU;
 
 /// Circulation, m2/s.
-pub(super) const CIRCULATION: f64 = 0.29;
+pub(crate) const CIRCULATION: f64 = 0.29;
 /// Core radius, m.
-pub(super) const CORE: f64 = 0.1;
+pub(crate) const CORE: f64 = 0.1;
 /// Distance of the place of release from the axis, m.
-pub(super) const START: f64 = 0.25;
+pub(crate) const START: f64 = 0.25;
 /// Kinematic viscosity of water, m2/s.
-pub(super) const VISCOSITY: f64 = 1e-6;
+pub(crate) const VISCOSITY: f64 = 1e-6;
 
 /// Rows per second.
 const ROWS: f64 = 400.0;
@@ -23,20 +23,20 @@ const GAS_DENSITY: f64 = 1.0;
 
 /// What is run.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Setup {
-    pub(super) form: VortexForm,
-    pub(super) radius: f64,
-    pub(super) cavitation_number: f64,
-    pub(super) forces: Forces,
+pub(crate) struct Setup {
+    pub(crate) form: VortexForm,
+    pub(crate) radius: f64,
+    pub(crate) cavitation_number: f64,
+    pub(crate) forces: Forces,
     /// Share of the bubble's own time in a substep.
-    pub(super) radius_share: f64,
+    pub(crate) radius_share: f64,
     /// Time, s.
-    pub(super) duration: f64,
+    pub(crate) duration: f64,
 }
 
 /// Rows over time: time s, x, y m, radius m.
 #[derive(Debug, Clone)]
-pub(super) struct Ride {
+pub(crate) struct Ride {
     rows: Vec<[f64; 4]>,
 }
 
@@ -65,7 +65,7 @@ impl Setup {
     }
 
     /// Releases the bubble and follows it.
-    pub(super) fn ride(&self) -> Result<Ride, Failure> {
+    pub(crate) fn ride(&self) -> Result<Ride, Failure> {
         let liquid = Self::liquid();
         let vortex = self.vortex(&liquid);
         let position = [-START, 0.0, 0.0];
@@ -115,7 +115,7 @@ impl Ride {
     }
 
     /// Time at which the core radius is first passed, s, on the straight line between rows; not a number if it is not.
-    pub(super) fn time_to_core(&self) -> f64 {
+    pub(crate) fn time_to_core(&self) -> f64 {
         let Some(k) = self.at_core().filter(|&k| k > 0) else {
             return f64::NAN;
         };
@@ -135,23 +135,23 @@ impl Ride {
     }
 
     /// Turns until the core radius is first passed.
-    pub(super) fn turns_to_core(&self) -> f64 {
+    pub(crate) fn turns_to_core(&self) -> f64 {
         self.at_core().map_or(f64::NAN, |k| self.turns(k))
     }
 
     /// Distance from the axis when the first turn is done, m.
-    pub(super) fn distance_after_turn(&self) -> f64 {
+    pub(crate) fn distance_after_turn(&self) -> f64 {
         let done = (1..self.rows.len()).find(|&k| self.turns(k) >= 1.0);
         done.map_or(f64::NAN, |k| distance(&self.rows[k]))
     }
 
     /// Least distance from the axis, m.
-    pub(super) fn last_distance(&self) -> f64 {
+    pub(crate) fn last_distance(&self) -> f64 {
         self.rows.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
     /// How often the radial motion turns round.
-    pub(super) fn radial_turns(&self) -> f64 {
+    pub(crate) fn radial_turns(&self) -> f64 {
         let moves: Vec<f64> = self
             .rows
             .windows(2)
@@ -169,19 +169,19 @@ impl Ride {
     }
 
     /// Mean radius of the last quarter over the first radius.
-    pub(super) fn mean_radius(&self) -> f64 {
+    pub(crate) fn mean_radius(&self) -> f64 {
         let (sum, count) = self.late().fold((0.0, 0u32), |(s, n), r| (s + r, n + 1));
         sum / f64::from(count)
     }
 
     /// Largest radius over the first.
-    pub(super) fn max_radius(&self) -> f64 {
+    pub(crate) fn max_radius(&self) -> f64 {
         let first = self.rows[0][3];
         self.rows.iter().map(|r| r[3] / first).fold(0.0, f64::max)
     }
 
     /// Largest fall of the radius from a largest to the next smallest one, over the first radius.
-    pub(super) fn swing(&self) -> f64 {
+    pub(crate) fn swing(&self) -> f64 {
         let (mut top, mut largest) = (0.0f64, 0.0f64);
         for pair in self.rows.windows(2) {
             if pair[1][3] > pair[0][3] {
@@ -198,18 +198,18 @@ impl Ride {
         self.rows.iter().step_by(8)
     }
 
-    pub(super) fn path(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn path(&self) -> Vec<[f64; 2]> {
         self.shown().map(|r| [r[1], r[2]]).collect()
     }
 
-    pub(super) fn distances(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn distances(&self) -> Vec<[f64; 2]> {
         self.rows
             .iter()
             .map(|r| [r[0], distance(r) / CORE])
             .collect()
     }
 
-    pub(super) fn radii(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn radii(&self) -> Vec<[f64; 2]> {
         self.shown().map(|r| [r[0], r[3]]).collect()
     }
 }
