@@ -397,8 +397,7 @@ impl Metal {
 
 /// Force that the solid puts on its indenter upwards, N (per metre in plane).
 pub(crate) fn indenter_force(s: &Solid) -> f64 {
-    s.surface(Side::Top)
-        .map_or(0.0, |top| -top.contact_force()[1])
+    -s.indenter_force()[1]
 }
 
 /// Depth of the deepest surface point below the mean of the outer third of the surface, m.

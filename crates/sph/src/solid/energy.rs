@@ -101,6 +101,10 @@ impl Solid {
             *work += dt * surface.power(false);
             self.state.work.driving += dt * surface.power(true);
         }
+        for (a, force) in &self.scratch.bared {
+            let v = self.state.velocity[*a as usize];
+            self.state.work.pressure += dt * (force[0] * v[0] + force[1] * v[1]);
+        }
         self.remove_failed();
     }
 }

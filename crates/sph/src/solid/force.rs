@@ -40,6 +40,8 @@ pub(super) struct Scratch {
     hoop: Vec<f64>,
     /// Pairs with images beyond driven faces.
     driven: Vec<DrivenPair>,
+    /// Particles laid bare by failure that an indenter pushes, with the forces, N.
+    pub(super) bared: Vec<(u32, Vec2)>,
     pub(super) viscous: Vec<Vec2>,
     pub(super) hourglass: Vec<Vec2>,
 }
@@ -183,9 +185,14 @@ impl Solid {
     ///
     /// In a kick-drift-kick step call it after [`Self::update_stress`]: the velocities are then those of the half step.
     pub fn accelerations(&mut self) {
-        if let Formulation::Joshi(settings) = self.numerics.formulation {
-            return self.present_accelerations(&settings);
+        match self.numerics.formulation {
+            Formulation::Joshi(settings) => self.present_accelerations(&settings),
+            Formulation::TotalLagrangian => self.reference_accelerations(),
         }
+        self.press_bared();
+    }
+
+    fn reference_accelerations(&mut self) {
         self.place_images();
         self.move_images();
         self.press();

@@ -7,6 +7,8 @@
 //! a pressure of 2 GPa on steel needs 0.3 % of a spacing, and the pressure under a Hertz contact ten spacings wide is right
 //! to 1 % (k = 1: 4 % low). The dashpot (c = 0.5) takes the energy of points that arrive; the contact never pulls.
 //! Stability: the penalty's frequency times the step is 0.35 sqrt(k) at Courant number 0.4, and must stay below 2.
+//! Where the material behind a face point has failed the point is gone; the indenter then acts on the particles that it
+//! meets beneath, as on a strip half a spacing above their centres.
 //! Units: SI. Range: the circle is large beside the spacing; no friction, no rotation.
 
 use super::surface::Surface;
@@ -111,10 +113,14 @@ impl Indenter {
 
 impl Surface {
     /// Sets the tractions of contact from the positions and velocities of the points.
-    fn press(&mut self, material: &Material, indenter: &Indenter) {
+    fn press(&mut self, material: &Material, indenter: &Indenter, removed: &[f64]) {
         for j in (0..self.width.len()).filter(|&j| !self.driven[j]) {
             let (x, v) = (self.position[j], self.velocity[j]);
-            self.contact[j] = indenter.traction(material, self.width[j], x, v);
+            self.contact[j] = if removed[self.particle[j]] != 0.0 {
+                [0.0; 2]
+            } else {
+                indenter.traction(material, self.width[j], x, v)
+            };
         }
     }
 }
@@ -138,12 +144,55 @@ impl Solid {
         }
     }
 
+    /// Adds the push of the indenter on particles laid bare by failure to the accelerations.
+    pub(super) fn press_bared(&mut self) {
+        self.scratch.bared.clear();
+        let Some(indenter) = self.indenter else { return };
+        if self.state.work.lost.failed == 0 {
+            return;
+        }
+        let Some(surface) = self.surfaces.iter().find(|s| s.side == indenter.side) else {
+            return;
+        };
+        let mut covered = vec![false; self.len()];
+        for &a in &surface.particle {
+            covered[a] = true;
+        }
+        for a in (0..self.len()).filter(|&a| !covered[a] && !self.is_removed(a)) {
+            let width = self.reference.area[a].sqrt();
+            let (x, v) = (self.state.position[a], self.state.velocity[a]);
+            let away = [0, 1].map(|i| indenter.centre[i] - x[i]);
+            let distance = away[0].hypot(away[1]);
+            // The place of the particle nearest to the indenter.
+            let edge = [0, 1].map(|i| x[i] + 0.5 * width * away[i] / distance.max(width));
+            let traction = indenter.traction(&self.material, width, edge, v);
+            if traction != [0.0; 2] {
+                let area = width * self.geometry.ring(self.reference.position[a][0]);
+                let force = traction.map(|t| t * area);
+                for (acceleration, f) in self.state.acceleration[a].iter_mut().zip(force) {
+                    *acceleration += f / self.reference.mass[a];
+                }
+                self.scratch.bared.push((a as u32, force));
+            }
+        }
+    }
+
+    /// Force of the indenter on the body in the last evaluation of forces, N.
+    #[must_use]
+    pub fn indenter_force(&self) -> Vec2 {
+        let face = (self.indenter.as_ref())
+            .and_then(|i| self.surface(i.side))
+            .map_or([0.0; 2], Surface::contact_force);
+        let add = |sum: Vec2, f: &Vec2| [sum[0] + f[0], sum[1] + f[1]];
+        self.scratch.bared.iter().map(|(_, f)| f).fold(face, add)
+    }
+
     /// The same with the face points where they are.
     pub(super) fn press_points(&mut self) {
         if let Some(indenter) = &self.indenter
             && let Some(surface) = self.surfaces.iter_mut().find(|s| s.side == indenter.side)
         {
-            surface.press(&self.material, indenter);
+            surface.press(&self.material, indenter, &self.state.removed);
         }
     }
 }
