@@ -1,6 +1,7 @@
 //! Rigid indenters.
 
 use crate::bodies::{DX, Faces, build, lattice};
+use erode_physics::damage::{Damage, RuptureStrain};
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{self, Axisymmetric, Plane};
 use erode_sph::solid::{Face, Indenter, QuasiStatic, Side, Solid};
@@ -115,4 +116,58 @@ fn an_indenter_beside_the_body_or_on_a_wall_is_refused() {
     let beside = Indenter::new(Side::Top, RADIUS, [1e-2, 3e-3]);
     let message = solid.indent(beside).unwrap_err().to_string();
     assert!(message.contains("outside the body"), "{message}");
+}
+
+/// The indenter goes on pressing where the surface has failed: on what lies beneath, with its work in the ledger.
+#[test]
+fn an_indenter_follows_the_surface_that_failure_leaves() {
+    let faces: Faces = [Face::Axis, Face::Traction, Face::Symmetry, Face::Traction];
+    let strength = Strength::PerfectlyPlastic {
+        yield_stress: 500e6,
+    };
+    let mut solid = build(lattice(Axisymmetric, faces, [20, 20], strength));
+    solid.damage = Damage::RuptureStrain(RuptureStrain {
+        rupture_strain: 0.05,
+        modulus_loss: false,
+    });
+    let (height, radius, depth) = (solid.block.upper[1], 8.0 * DX, 1.5 * DX);
+    let start = height + radius;
+    solid
+        .indent(Indenter::new(Side::Top, radius, [0.0, start]))
+        .unwrap();
+    let transit = height / 5666.0;
+    let loading = QuasiStatic {
+        ramp: 40.0 * transit,
+        hold: 0.0,
+        damping: 0.0,
+    };
+    // A force that the material cannot bear: the circle of contact times four times the yield stress.
+    let bearable = 4.0 * 500e6 * PI * 2.0 * radius * depth;
+    loading
+        .run(
+            &mut solid,
+            |solid, share| {
+                let indenter = solid.indenter.as_mut().unwrap();
+                indenter.centre[1] = start - depth * share.value;
+                indenter.velocity[1] = -depth * share.rate;
+            },
+            |solid, _| assert!(-solid.indenter_force()[1] < bearable),
+        )
+        .unwrap();
+    let work = solid.state.work;
+    assert!(
+        work.lost.failed > 2,
+        "{} particles failed",
+        work.lost.failed
+    );
+    // No particle that is left lies inside the indenter by more than half a spacing.
+    let centre = solid.indenter.unwrap().centre;
+    for a in (0..solid.len()).filter(|&a| !solid.is_removed(a)) {
+        let x = solid.state.position[a];
+        let distance = (x[0] - centre[0]).hypot(x[1] - centre[1]);
+        assert!(distance > radius - 0.5 * DX, "{x:?}");
+    }
+    println!("defect {} of {}", solid.energy_defect(), work.pressure);
+    // Points beside a failed one transmit less than their traction: a fifth of the work is known to be missed.
+    assert!(solid.energy_defect().abs() < 0.25 * work.pressure);
 }
