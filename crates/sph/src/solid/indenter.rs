@@ -161,8 +161,8 @@ impl Solid {
         for &a in &surface.particle {
             covered[a] = true;
         }
-        for a in 0..self.len() {
-            if covered[a] || self.is_removed(a) {
+        for (a, covered) in covered.into_iter().enumerate() {
+            if covered || self.is_removed(a) {
                 continue;
             }
             let width = self.reference.area[a].sqrt();
