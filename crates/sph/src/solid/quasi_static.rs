@@ -92,10 +92,13 @@ impl Solid {
         self.state.work.damping += kinetic * (1.0 - factor * factor);
     }
 
-    /// Kinetic over internal energy (elastic + plastic work): far below 1 when inertia is negligible.
+    /// Kinetic over internal energy (elastic + plastic work): far below 1 when inertia is negligible; 0 at rest.
     #[must_use]
     pub fn inertia_share(&self) -> f64 {
         let energy = self.energy();
+        if energy.kinetic == 0.0 {
+            return 0.0;
+        }
         energy.kinetic / (energy.elastic + energy.plastic_work)
     }
 }

@@ -60,13 +60,21 @@ fn write_paths(page: &mut Page, data: &RunData) {
         let [a, b] = axes;
         followed.iter().fold(Plot::new(a, b), |plot, (_, table)| {
             let column = |name: &str| table.column(name).unwrap_or(&[]);
-            plot.line("", points(column(x), column(y)))
+            let path = points(column(x), column(y));
+            let start = path.first().copied().into_iter().collect();
+            let plot = plot.line("", path);
+            // A bubble that stays where it is has no line.
+            if x == "time" {
+                plot
+            } else {
+                plot.points("", start)
+            }
         })
     };
     let figures = [
         (
             draw("position_x", "position_y", [("x", "m"), ("y", "m")]),
-            "Paths of the followed bubbles, seen along z.",
+            "Paths of the followed bubbles, seen along z; dots: where they start.",
         ),
         (
             draw("position_x", "position_z", [("x", "m"), ("z", "m")]),

@@ -27,7 +27,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
     let pressure = size(Plot::new(time(), inside))
         .line("in the bubble", curve("bubble_pressure"))
         .dashed("liquid, where positive", curve("ambient_pressure"));
-    let ambient = size(Plot::new(time(), Axis::new("pressure of the liquid", "Pa")))
+    let ambient = Plot::new(time(), Axis::new("pressure of the liquid", "Pa"))
         .line("", curve("ambient_pressure"));
     let phase: Vec<[f64; 2]> = curve("bubble_radius")
         .iter()
@@ -91,9 +91,9 @@ fn write_events(page: &mut Page, data: &RunData) {
         return;
     }
     let heads = [
-        "radius",
+        "event",
         "time",
-        "",
+        "radius",
         "pressure in the bubble",
         "pressure of the liquid",
     ];
