@@ -81,7 +81,7 @@ pub(crate) fn short(case: &str, dir: &Path) -> Vec<String> {
         .and_then(|s| s.as_table())
         .and_then(|s| s.keys().next().cloned());
     let shorter = match setup {
-        Some(name) if name == "indentation" => format!("setup.{name}.spacing=40 um"),
+        Some(name) if name == "indentation" => format!("setup.{name}.spacing=25 um"),
         Some(name) => format!("setup.{name}.particles_per_radius={COARSE}"),
         None => "run.max_steps=20".to_owned(),
     };

@@ -1,8 +1,9 @@
-//! A load on a solid: force against depth of an indenter, inertia, the stress at the end.
+//! A load on a solid: force against depth of an indenter, lost mass, inertia, the stress at the end.
 
 use std::borrow::Cow;
 
 use super::fields::{colouring, draw};
+use crate::erosion::ErosionCurve;
 use crate::report::colour::{ColourMap, robust_range};
 use crate::report::html::Page;
 use crate::report::picture::Layer;
@@ -11,6 +12,9 @@ use crate::report::run_data::{RunData, points};
 use crate::report::snapshot::Body;
 use crate::report::units::quantity;
 use crate::report::view::fine_view;
+
+/// Window over which a rate of loss is taken, as a share of the run.
+const RATE_WINDOW: f64 = 0.1;
 
 /// Components of the stress tensor in the order of the field files, with their names in (r, z, theta).
 const COMPONENTS: [(usize, &str); 3] = [(0, "stress rr"), (1, "stress zz"), (2, "stress tt")];
@@ -51,6 +55,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData, end: &[Body]) -> bool {
                 .into(),
         ));
     }
+    figures.extend(data.history_points("lost_mass").and_then(lost_mass));
     let last = inertia.iter().rev().find(|v| v.is_finite());
     if let Some(last) = last {
         page.paragraph(&format!(
@@ -60,6 +65,31 @@ pub(crate) fn write(page: &mut Page, data: &RunData, end: &[Body]) -> bool {
     figures.extend(stresses(end));
     page.figures(&figures);
     true
+}
+
+/// Lost mass against time with its incubation; nothing when no material failed.
+fn lost_mass(curve: Vec<[f64; 2]>) -> Option<(String, String)> {
+    let end = curve.last().filter(|p| p[1] > 0.0)?[0];
+    let found = ErosionCurve::of(&curve, RATE_WINDOW * end);
+    let mut plot = Plot::new(Axis::new("time", "s"), Axis::new("lost mass", "kg")).line("", curve);
+    let words = match found {
+        Ok(c) => {
+            plot = plot.event(c.onset, "first loss");
+            if c.nominal_incubation > c.onset {
+                plot = plot.event(c.nominal_incubation, "incubation");
+            }
+            format!(
+                "Mass of failed material. First loss at {}, nominal incubation {} (where the line of the largest rate, \
+                 {}, meets the time axis), lost at the end {}.",
+                quantity(c.onset, "s"),
+                quantity(c.nominal_incubation, "s"),
+                quantity(c.max_rate, "kg/s"),
+                quantity(c.final_loss, "kg"),
+            )
+        }
+        Err(cause) => format!("Mass of failed material. No incubation time: {cause}."),
+    };
+    Some((plot.to_svg(), words))
 }
 
 /// Stress at the end in the first solid: von Mises and the normal components.
