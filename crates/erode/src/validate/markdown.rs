@@ -1,6 +1,6 @@
 //! `docs/validation.md`: the outcomes as tables of a document.
 
-use super::{Check, Kind, Outcome, number};
+use super::{ALL, Check, Kind, Outcome, number};
 use crate::output::OutputError;
 use crate::output::atomic::write_atomic;
 use std::fmt::Write;
@@ -11,34 +11,78 @@ use std::time::{SystemTime, UNIX_EPOCH};
 /// Folder of the figures beside the document.
 const FIGURES: &str = "validation";
 
-/// The document: `version` of the program and `date` of the runs stand at its head.
-#[must_use]
-pub fn markdown(outcomes: &[Outcome], version: &str, date: &str) -> String {
-    let mut out = format!(
-        "# Validation\n\
-         Written by `erode validate`, not by hand: erode {version}, {date}. Errors are relative in percent where the \
-         tolerance is,\notherwise in the unit of the quantity. `shown` stands beside its reference without being \
-         judged.\n\n\
-         | validation | form | checks | missed | wall time |\n| --- | --- | --- | --- | --- |\n"
-    );
-    for o in outcomes {
-        let judged = o
-            .finding
-            .checks
-            .iter()
-            .filter(|c| c.kind != Kind::Shown)
-            .count();
+/// One validation in the document.
+#[derive(Debug, Clone, PartialEq)]
+struct Entry {
+    name: String,
+    /// Its row in the first table.
+    row: String,
+    section: String,
+}
+
+impl Entry {
+    fn of(o: &Outcome, version: &str, date: &str) -> Self {
+        let judged = (o.finding.checks.iter()).filter(|c| c.kind != Kind::Shown);
         let form = if o.quick { "quick" } else { "full" };
-        let _ = writeln!(
-            out,
-            "| [{0}](#{0}) | {form} | {judged} | {1} | {2:.1} s |",
+        let row = format!(
+            "| [{0}](#{0}) | {form} | {1} | {2} | {3:.1} s | {version}, {date} |",
             o.name,
+            judged.count(),
             o.missed(),
             o.seconds
         );
+        let mut out = String::new();
+        section(&mut out, o);
+        Self {
+            name: o.name.clone(),
+            row,
+            section: out,
+        }
     }
-    for outcome in outcomes {
-        section(&mut out, outcome);
+
+    /// The validations of a document that [`document`] wrote; nothing of any other text.
+    fn all_of(text: &str) -> Vec<Self> {
+        let mut sections = text.split("\n## ");
+        let head = sections.next().unwrap_or_default();
+        let rows: Vec<&str> = head.lines().filter(|l| l.starts_with("| [")).collect();
+        sections
+            .filter_map(|section| {
+                let name = section.lines().next()?;
+                let row = (rows.iter()).find(|r| r.starts_with(&format!("| [{name}]")))?;
+                Some(Self {
+                    name: name.to_owned(),
+                    row: (*row).to_owned(),
+                    section: format!("\n## {}\n", section.trim_end_matches('\n')),
+                })
+            })
+            .collect()
+    }
+}
+
+/// The document: what was run now, then in place what an earlier document holds of the others.
+fn document(outcomes: &[Outcome], earlier: &str, version: &str, date: &str) -> String {
+    let mut entries: Vec<Entry> = (outcomes.iter())
+        .map(|o| Entry::of(o, version, date))
+        .collect();
+    for kept in Entry::all_of(earlier) {
+        if entries.iter().all(|e| e.name != kept.name) {
+            entries.push(kept);
+        }
+    }
+    let order = |e: &Entry| (ALL.iter().position(|v| v.name == e.name)).unwrap_or(ALL.len());
+    entries.sort_by_key(order);
+    let mut out = String::from(
+        "# Validation\n\
+         Written by `erode validate --markdown`, not by hand; what is not run keeps its last result. Errors are relative in \
+         percent where\nthe tolerance is, otherwise in the unit of the quantity. `shown` stands beside its reference \
+         without being judged.\n\n\
+         | validation | form | checks | missed | wall time | version, date |\n| --- | --- | --- | --- | --- | --- |\n",
+    );
+    for e in &entries {
+        let _ = writeln!(out, "{}", e.row);
+    }
+    for e in &entries {
+        out.push_str(&e.section);
     }
     out
 }
@@ -87,7 +131,8 @@ fn row(out: &mut String, c: &Check) {
     );
 }
 
-/// Writes `validation.md` and its figures into `folder`, for example `docs`.
+/// Writes `validation.md` and its figures into `folder`, for example `docs`. Of an earlier `validation.md` there the
+/// validations that were not run now are kept.
 ///
 /// # Errors
 /// If a file cannot be written.
@@ -109,10 +154,10 @@ pub fn write_markdown(
             &figure.to_svg(),
         )?;
     }
-    write(
-        &folder.join("validation.md"),
-        &markdown(outcomes, version, date),
-    )
+    let path = folder.join("validation.md");
+    // No earlier document, or one that cannot be read as text: nothing to keep.
+    let earlier = std::fs::read_to_string(&path).unwrap_or_default();
+    write(&path, &document(outcomes, &earlier, version, date))
 }
 
 /// Today's date (UTC) as year-month-day.
@@ -186,17 +231,38 @@ mod tests {
             seconds: 1.0,
         };
         let folder = tempfile::tempdir().unwrap();
-        write_markdown(folder.path(), &[outcome], "0.1.0", "2025-12-31").unwrap();
+        write_markdown(
+            folder.path(),
+            std::slice::from_ref(&outcome),
+            "0.1.0",
+            "2025-12-31",
+        )
+        .unwrap();
         let text = std::fs::read_to_string(folder.path().join("validation.md")).unwrap();
         for part in [
-            "erode 0.1.0, 2025-12-31",
-            "| [some-case](#some-case) | full | 1 | 1 | 1.0 s |",
+            "| [some-case](#some-case) | full | 1 | 1 | 1.0 s | 0.1.0, 2025-12-31 |",
             "| speed | m/s | 1.000 | 1.200 | +20.00 % | 10 % | **MISS** | the reason |",
             "a note",
             "![Some curve](validation/curve.svg)",
         ] {
             assert!(text.contains(part), "{part} is not in\n{text}");
         }
+        // Another one later: the first is kept as it was.
+        let other = Outcome {
+            name: "other-case".into(),
+            ..outcome
+        };
+        write_markdown(folder.path(), &[other], "0.2.0", "2026-01-01").unwrap();
+        let both = std::fs::read_to_string(folder.path().join("validation.md")).unwrap();
+        let first = text.split("\n## ").nth(1).unwrap().trim_end();
+        assert!(
+            both.contains(first) && both.contains("| 0.1.0, 2025-12-31 |"),
+            "{both}"
+        );
+        assert!(
+            both.contains("## other-case") && both.contains("| 0.2.0, 2026-01-01 |"),
+            "{both}"
+        );
         let svg = std::fs::read_to_string(folder.path().join("validation/curve.svg")).unwrap();
         assert!(svg.contains("<svg") && svg.contains("Some curve"));
     }
