@@ -1,5 +1,6 @@
 //! Starting a run and going on with one.
 
+use super::course::Course;
 use super::observer::Observer;
 use super::steps::Run;
 use super::{RunError, bubble_cloud, build, single_bubble};

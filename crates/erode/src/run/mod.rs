@@ -2,6 +2,7 @@
 
 mod bubble_cloud;
 mod build;
+mod course;
 mod drive;
 mod error;
 mod files;

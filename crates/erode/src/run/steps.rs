@@ -1,5 +1,6 @@
 //! The loop of a run: step, watch, write; stop when asked.
 
+use super::course::Course;
 use super::drive::Ended;
 use super::files::Files;
 use super::monitor::{self, Record};
@@ -113,31 +114,6 @@ impl Run {
         }
     }
 
-    /// Steps to the end, or until it is asked to stop or fails; `status.json` tells which.
-    ///
-    /// # Errors
-    /// If the calculation fails or a file cannot be written.
-    pub(crate) fn go(
-        &mut self,
-        stop: &AtomicBool,
-        observer: &mut dyn Observer,
-    ) -> Result<Ended, RunError> {
-        let ended = self.steps(stop, observer);
-        observer.finish();
-        let ended = match ended {
-            Ok(true) => self.finish(observer),
-            Ok(false) => self.interrupt(),
-            Err(error) => Err(error),
-        };
-        if let Err(error) = &ended
-            && !matches!(error, RunError::Report(_))
-        {
-            // On a full disk the status may fail as well; the first error is the one to tell.
-            let _ = self.write_status(State::Failed, Some(&error.to_string()));
-        }
-        ended
-    }
-
     /// The loop; whether it reached the end.
     fn steps(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
         let particles: usize = self.world.bodies.iter().map(|b| count(&b.body)).sum();
@@ -237,14 +213,6 @@ impl Run {
         Err(finding.into_error(&self.world, &step, self.files.paths()))
     }
 
-    fn interrupt(&mut self) -> Result<Ended, RunError> {
-        self.write_checkpoint()?;
-        self.write_status(State::Interrupted, Some("asked to stop"))?;
-        Ok(Ended::Interrupted {
-            time: self.world.time,
-        })
-    }
-
     fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
         self.write_checkpoint()?;
         let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
@@ -266,6 +234,32 @@ impl Run {
         ));
         let report = crate::report::build(self.files.paths().root())?;
         Ok(Ended::Done { report })
+    }
+}
+
+impl Course for Run {
+    fn advance(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<bool, RunError> {
+        self.steps(stop, observer)
+    }
+
+    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+        self.finish(observer)
+    }
+
+    fn save(&mut self) -> Result<(), RunError> {
+        self.write_checkpoint()
+    }
+
+    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
+        self.write_status(state, message)
+    }
+
+    fn time(&self) -> f64 {
+        self.world.time
     }
 }
 

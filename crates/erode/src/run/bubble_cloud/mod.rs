@@ -7,6 +7,7 @@ mod results;
 mod rows;
 mod tables;
 
+use super::course::Course;
 use super::drive::Ended;
 use super::observer::{Observer, Progress};
 use super::{RunError, status};
@@ -147,42 +148,13 @@ impl Run {
         }
     }
 
-    /// Advances to the end, or until it is asked to stop or fails; `status.json` tells which.
-    ///
-    /// # Errors
-    /// If the calculation fails or a file cannot be written.
-    pub(crate) fn go(
-        &mut self,
-        stop: &AtomicBool,
-        observer: &mut dyn Observer,
-    ) -> Result<Ended, RunError> {
+    /// From row to row; whether it reached the end.
+    fn rows(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
         observer.say(&format!(
             "{} bubbles, {} threads",
             self.present.cloud.len(),
             rayon::current_num_threads()
         ));
-        let ended = self.advance(stop, observer);
-        observer.finish();
-        let ended = match ended {
-            Ok(true) => self.finish(observer),
-            Ok(false) => self.interrupt(),
-            Err(error) => Err(error),
-        };
-        if let Err(error) = &ended
-            && !matches!(error, RunError::Report(_))
-        {
-            // On a full disk the status may fail as well; the first error is the one to tell.
-            let _ = self.write_status(State::Failed, Some(&error.to_string()));
-        }
-        ended
-    }
-
-    /// From row to row; whether it reached the end.
-    fn advance(
-        &mut self,
-        stop: &AtomicBool,
-        observer: &mut dyn Observer,
-    ) -> Result<bool, RunError> {
         let mut shown = Instant::now();
         self.write_status(State::Running, None)?;
         let end = self.simulation.run.end_time;
@@ -289,14 +261,6 @@ impl Run {
         Ok(())
     }
 
-    fn interrupt(&mut self) -> Result<Ended, RunError> {
-        self.write_checkpoint()?;
-        self.write_status(State::Interrupted, Some("asked to stop"))?;
-        Ok(Ended::Interrupted {
-            time: self.present.cloud.time,
-        })
-    }
-
     fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
         self.write_checkpoint()?;
         if let Some(map) = &self.present.map {
@@ -316,6 +280,32 @@ impl Run {
         ));
         let report = crate::report::build(self.folder.paths().root())?;
         Ok(Ended::Done { report })
+    }
+}
+
+impl Course for Run {
+    fn advance(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<bool, RunError> {
+        self.rows(stop, observer)
+    }
+
+    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+        self.finish(observer)
+    }
+
+    fn save(&mut self) -> Result<(), RunError> {
+        self.write_checkpoint()
+    }
+
+    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
+        self.write_status(state, message)
+    }
+
+    fn time(&self) -> f64 {
+        self.present.cloud.time
     }
 }
 

@@ -7,6 +7,7 @@ mod record;
 mod results;
 mod tables;
 
+use super::course::Course;
 use super::drive::Ended;
 use super::observer::{Observer, Progress as Seen};
 use super::{RunError, status};
@@ -105,34 +106,9 @@ impl Run {
         }
     }
 
-    /// Advances to the end, or until it is asked to stop or fails; `status.json` tells which.
-    ///
-    /// # Errors
-    /// If the calculation fails or a file cannot be written.
-    pub(crate) fn go(
-        &mut self,
-        stop: &AtomicBool,
-        observer: &mut dyn Observer,
-    ) -> Result<Ended, RunError> {
-        observer.say(&format!("one bubble, {}", model_name(&self.bubble)));
-        let ended = self.marks(stop, observer);
-        observer.finish();
-        let ended = match ended {
-            Ok(true) => self.finish(observer),
-            Ok(false) => self.interrupt(),
-            Err(error) => Err(error),
-        };
-        if let Err(error) = &ended
-            && !matches!(error, RunError::Report(_))
-        {
-            // On a full disk the status may fail as well; the first error is the one to tell.
-            let _ = self.write_status(State::Failed, Some(&error.to_string()));
-        }
-        ended
-    }
-
     /// From mark to mark; whether it reached the end.
     fn marks(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
+        observer.say(&format!("one bubble, {}", model_name(&self.bubble)));
         let mut shown = Instant::now();
         self.write_status(State::Running, None)?;
         while self.state.time < self.simulation.run.end_time && !self.record.closed {
@@ -260,14 +236,6 @@ impl Run {
         Ok(())
     }
 
-    fn interrupt(&mut self) -> Result<Ended, RunError> {
-        self.write_checkpoint()?;
-        self.write_status(State::Interrupted, Some("asked to stop"))?;
-        Ok(Ended::Interrupted {
-            time: self.state.time,
-        })
-    }
-
     fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
         self.write_checkpoint()?;
         let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
@@ -282,6 +250,32 @@ impl Run {
         ));
         let report = crate::report::build(self.folder.paths().root())?;
         Ok(Ended::Done { report })
+    }
+}
+
+impl Course for Run {
+    fn advance(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<bool, RunError> {
+        self.marks(stop, observer)
+    }
+
+    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+        self.finish(observer)
+    }
+
+    fn save(&mut self) -> Result<(), RunError> {
+        self.write_checkpoint()
+    }
+
+    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
+        self.write_status(state, message)
+    }
+
+    fn time(&self) -> f64 {
+        self.state.time
     }
 }
 
