@@ -4,6 +4,7 @@ use super::{
     keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
     keys_bubbles::SINGLE_BUBBLE,
     keys_cloud::BUBBLE_CLOUD,
+    keys_damage::DAMAGE,
     keys_load::{INDENTATION, INDENTER, LOAD, PRESSURE_PULSE, SETTLING},
     keys_material::MATERIAL,
     schema::{
@@ -201,6 +202,11 @@ static BUBBLE_NEAR_WALL: Table = table(
             Nested(&SOLID_FORMULATION),
             "total_lagrangian",
             "discrete form of the wall",
+        ),
+        optional(
+            "damage",
+            Nested(&DAMAGE),
+            "law by which the wall fails; constants not given are the material's, without this key it never fails",
         ),
         default(
             "strain_rate",

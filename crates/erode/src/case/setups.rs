@@ -10,7 +10,6 @@ use super::{
     simulation::{Body, BodyKind, Bubble, Fluid, Side, Sides, Solid, Wave},
 };
 use crate::materials::Library;
-use erode_physics::damage::Damage;
 use erode_physics::eos::Tait;
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 
@@ -161,6 +160,7 @@ fn bubble_near_wall(
     let numbers = NearWall::read(f, findings);
     let eos = laws::fluid(f, "liquid", None, library, findings);
     let solid = laws::solid(f, "wall", None, library, findings);
+    let damage = laws::damage(f, "wall", library, findings);
     let (n, eos, (density, elastic, strength)) = (numbers?, eos?, solid?);
     let fluid = Fluid {
         material: f.text("liquid")?.to_owned(),
@@ -174,7 +174,7 @@ fn bubble_near_wall(
         density,
         elastic,
         strength,
-        damage: Damage::None,
+        damage: damage?,
         formulation: laws::solid_formulation(f, "wall_formulation")?,
         velocity: [0.0; 2],
     };
