@@ -161,15 +161,17 @@ impl Observer for Screen {
 
     fn progress(&mut self, p: &Progress) {
         let left = (p.end_time - p.time).max(0.0) / p.dt / p.steps_per_second;
+        let ledger = (p.energy_drift)
+            .map(|drift| format!(", ledger {:+.2} %", 100.0 * drift))
+            .unwrap_or_default();
         let text = format!(
-            "t = {:.4} of {:.4} us, {:.0} s left, {:.0} steps/s, dt {:.3e} s ({}), ledger {:+.2} %",
+            "t = {:.4} of {:.4} us, {:.0} s left, {:.0} steps/s, dt {:.3e} s ({}){ledger}",
             p.time * 1e6,
             p.end_time * 1e6,
             left,
             p.steps_per_second,
             p.dt,
-            p.limiter,
-            100.0 * p.energy_drift
+            p.limiter
         );
         match &self.bar {
             Some(bar) => {

@@ -2,8 +2,9 @@
 
 use super::RunError;
 use super::drive::Ended;
-use super::observer::Observer;
-use crate::output::State;
+use super::observer::{Observer, Progress};
+use super::status;
+use crate::output::{RunPaths, State, Summary};
 use std::sync::atomic::AtomicBool;
 
 /// A run in progress.
@@ -12,17 +13,20 @@ pub(super) trait Course {
     fn advance(&mut self, stop: &AtomicBool, observer: &mut dyn Observer)
     -> Result<bool, RunError>;
 
-    /// Last files, summary and report.
-    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError>;
-
     /// Writes a state to go on from.
-    fn save(&mut self) -> Result<(), RunError>;
+    fn write_checkpoint(&mut self) -> Result<(), RunError>;
 
-    /// Writes `status.json`.
-    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError>;
+    /// Where it stands.
+    fn progress(&self) -> Progress<'_>;
 
-    /// Simulated time, s.
-    fn time(&self) -> f64;
+    /// Writes files that only the end has; its final numbers and a sentence about them.
+    fn results(&mut self) -> Result<(Summary, String), RunError>;
+
+    /// Its folder.
+    fn paths(&self) -> &RunPaths;
+
+    /// Hash of `resolved.toml`.
+    fn hash(&self) -> &str;
 
     /// Advances to the end, or until it is asked to stop or fails; `status.json` tells which.
     ///
@@ -40,15 +44,34 @@ pub(super) trait Course {
             && !matches!(error, RunError::Report(_))
         {
             // On a full disk the status may fail as well; the first error is the one to tell.
-            let _ = self.tell(State::Failed, Some(&error.to_string()));
+            let _ = self.write_status(State::Failed, Some(&error.to_string()));
         }
         ended
     }
 
+    /// Ends at the end time.
+    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+        self.write_checkpoint()?;
+        let (mut summary, words) = self.results()?;
+        summary.set_input_hash("resolved.toml", self.hash());
+        summary.write(&self.paths().summary())?;
+        self.write_status(State::Done, None)?;
+        observer.say(&words);
+        let report = crate::report::build(self.paths().root())?;
+        Ok(Ended::Done { report })
+    }
+
     /// Ends because it was asked to.
     fn interrupt(&mut self) -> Result<Ended, RunError> {
-        self.save()?;
-        self.tell(State::Interrupted, Some("asked to stop"))?;
-        Ok(Ended::Interrupted { time: self.time() })
+        self.write_checkpoint()?;
+        self.write_status(State::Interrupted, Some("asked to stop"))?;
+        let time = self.progress().time;
+        Ok(Ended::Interrupted { time })
+    }
+
+    /// Writes `status.json`.
+    fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
+        let status = status::of(&self.progress(), state, message);
+        Ok(status.write(&self.paths().status())?)
     }
 }

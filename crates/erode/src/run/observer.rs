@@ -16,7 +16,7 @@ pub struct Progress<'a> {
     /// What limited it.
     pub limiter: &'a str,
     /// Energy that the ledger cannot account for, relative to what was put in.
-    pub energy_drift: f64,
+    pub energy_drift: Option<f64>,
 }
 
 /// Who watches a run.

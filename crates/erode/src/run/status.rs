@@ -15,7 +15,7 @@ pub(super) fn of(p: &Progress<'_>, state: State, message: Option<&str>) -> Statu
         limiter: p.limiter.to_owned(),
         steps_per_second: rate,
         eta: rate.map(|r| (p.end_time - p.time).max(0.0) / p.dt / r),
-        energy_drift: Some(p.energy_drift),
+        energy_drift: p.energy_drift,
         pid: std::process::id(),
         message: message.map(str::to_owned),
     }

@@ -1,13 +1,14 @@
 //! The loop of a run: step, watch, write; stop when asked.
 
 use super::course::Course;
-use super::drive::Ended;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
 use super::{RunError, loads, results, state, watch};
 use crate::case::Simulation;
-use crate::output::{Checkpoint, RunFolder, State};
+use crate::output::{
+    Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
+};
 use erode_sph::world::{Body, Limiter, World};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -114,32 +115,6 @@ impl Run {
         }
     }
 
-    /// The loop; whether it reached the end.
-    fn steps(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
-        let particles: usize = self.world.bodies.iter().map(|b| count(&b.body)).sum();
-        observer.say(&format!(
-            "{particles} particles, {} threads",
-            rayon::current_num_threads()
-        ));
-        let mut shown = Instant::now();
-        self.write_status(State::Running, None)?;
-        while !self.finished() {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(false);
-            }
-            let before = self.world.time;
-            self.last = self.world.stable_time_step();
-            self.checked_step()?;
-            self.write_due(before)?;
-            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
-                shown = Instant::now();
-                observer.progress(&self.progress());
-                self.write_status(State::Running, None)?;
-            }
-        }
-        Ok(true)
-    }
-
     pub(super) fn finished(&self) -> bool {
         let run = &self.simulation.run;
         self.world.time >= run.end_time * (1.0 - ROUNDING)
@@ -148,19 +123,6 @@ impl Run {
 
     fn drift(&self) -> f64 {
         self.record.energy_drift / self.record.energy_scale.max(f64::MIN_POSITIVE)
-    }
-
-    pub(super) fn progress(&self) -> Progress<'_> {
-        Progress {
-            time: self.world.time,
-            end_time: self.simulation.run.end_time,
-            step: self.world.step,
-            steps_per_second: (self.world.step - self.first_step) as f64
-                / self.begun.elapsed().as_secs_f64(),
-            dt: self.last.0,
-            limiter: self.last.1.reason,
-            energy_drift: self.drift(),
-        }
     }
 
     fn checked_step(&mut self) -> Result<(), RunError> {
@@ -212,29 +174,6 @@ impl Run {
         };
         Err(finding.into_error(&self.world, &step, self.files.paths()))
     }
-
-    fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
-        self.write_checkpoint()?;
-        let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
-        let threads = rayon::current_num_threads();
-        let mut summary = results::summary(
-            &self.world,
-            &self.simulation,
-            &self.record,
-            wall_time,
-            threads,
-        );
-        summary.set_input_hash("resolved.toml", &self.hash);
-        summary.write(&self.files.paths().summary())?;
-        self.write_status(State::Done, None)?;
-        let drift = 100.0 * self.drift();
-        observer.say(&format!(
-            "{} steps in {wall_time:.1} s, energy ledger {drift:+.2} %",
-            self.world.step
-        ));
-        let report = crate::report::build(self.files.paths().root())?;
-        Ok(Ended::Done { report })
-    }
 }
 
 impl Course for Run {
@@ -243,23 +182,83 @@ impl Course for Run {
         stop: &AtomicBool,
         observer: &mut dyn Observer,
     ) -> Result<bool, RunError> {
-        self.steps(stop, observer)
+        let particles: usize = self.world.bodies.iter().map(|b| count(&b.body)).sum();
+        observer.say(&format!(
+            "{particles} particles, {} threads",
+            rayon::current_num_threads()
+        ));
+        let mut shown = Instant::now();
+        self.write_status(State::Running, None)?;
+        while !self.finished() {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(false);
+            }
+            let before = self.world.time;
+            self.last = self.world.stable_time_step();
+            self.checked_step()?;
+            self.write_due(before)?;
+            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
+                shown = Instant::now();
+                observer.progress(&self.progress());
+                self.write_status(State::Running, None)?;
+            }
+        }
+        Ok(true)
     }
 
-    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
-        self.finish(observer)
+    fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        let mut extra = self.files.mark(&self.simulation)?;
+        let mut record = self.record.clone();
+        record.wall_time += self.begun.elapsed().as_secs_f64();
+        let record =
+            serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
+        extra.insert("first_dt".into(), self.first_dt.into());
+        extra.insert("record".into(), record);
+        extra.insert("accounts".into(), state::accounts(&self.world));
+        let mut checkpoint = Checkpoint::new(CheckpointMeta {
+            code_version: env!("CARGO_PKG_VERSION").to_owned(),
+            case_hash: self.hash.clone(),
+            time: self.world.time,
+            step: self.world.step,
+            extra: extra.into(),
+        });
+        state::store(&self.world, &mut checkpoint)?;
+        CheckpointStore::new(self.files.paths().checkpoints()).write(&checkpoint)?;
+        Ok(())
     }
 
-    fn save(&mut self) -> Result<(), RunError> {
-        self.write_checkpoint()
+    fn progress(&self) -> Progress<'_> {
+        Progress {
+            time: self.world.time,
+            end_time: self.simulation.run.end_time,
+            step: self.world.step,
+            steps_per_second: (self.world.step - self.first_step) as f64
+                / self.begun.elapsed().as_secs_f64(),
+            dt: self.last.0,
+            limiter: self.last.1.reason,
+            energy_drift: Some(self.drift()),
+        }
     }
 
-    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        self.write_status(state, message)
+    fn results(&mut self) -> Result<(Summary, String), RunError> {
+        let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
+        let threads = rayon::current_num_threads();
+        let (world, simulation) = (&self.world, &self.simulation);
+        let summary = results::summary(world, simulation, &self.record, wall_time, threads);
+        let words = format!(
+            "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
+            world.step,
+            100.0 * self.drift()
+        );
+        Ok((summary, words))
     }
 
-    fn time(&self) -> f64 {
-        self.world.time
+    fn paths(&self) -> &RunPaths {
+        self.files.paths()
+    }
+
+    fn hash(&self) -> &str {
+        &self.hash
     }
 }
 

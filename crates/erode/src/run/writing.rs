@@ -1,8 +1,8 @@
 //! What a run writes on its way, and when.
 
+use super::course::Course;
 use super::steps::Run;
-use super::{RunError, monitor, state, status, watch};
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, State};
+use super::{RunError, monitor, watch};
 
 impl Run {
     /// Rows, snapshots and checkpoints whose time has come since `before`: at the first step at or behind each multiple
@@ -37,31 +37,5 @@ impl Run {
             &mut self.record,
         );
         self.files.write_row(&self.world, &self.simulation, &row)
-    }
-
-    pub(super) fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        let mut extra = self.files.mark(&self.simulation)?;
-        let mut record = self.record.clone();
-        record.wall_time += self.begun.elapsed().as_secs_f64();
-        let record =
-            serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
-        extra.insert("first_dt".into(), self.first_dt.into());
-        extra.insert("record".into(), record);
-        extra.insert("accounts".into(), state::accounts(&self.world));
-        let mut checkpoint = Checkpoint::new(CheckpointMeta {
-            code_version: env!("CARGO_PKG_VERSION").to_owned(),
-            case_hash: self.hash.clone(),
-            time: self.world.time,
-            step: self.world.step,
-            extra: extra.into(),
-        });
-        state::store(&self.world, &mut checkpoint)?;
-        CheckpointStore::new(self.files.paths().checkpoints()).write(&checkpoint)?;
-        Ok(())
-    }
-
-    pub(super) fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        let status = status::of(&self.progress(), state, message);
-        Ok(status.write(&self.files.paths().status())?)
     }
 }

@@ -7,13 +7,14 @@ mod results;
 mod rows;
 mod tables;
 
+use super::RunError;
 use super::course::Course;
-use super::drive::Ended;
 use super::observer::{Observer, Progress};
-use super::{RunError, status};
 use crate::case::Simulation;
 use crate::case::cloud::BubbleCloud;
-use crate::output::{Array, Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, State};
+use crate::output::{
+    Array, Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
+};
 use erode_fv::bubbles::{Averaging, Cloud, CloudError, Settings, deposit};
 use erode_physics::bubble::Controls;
 use erode_physics::erosion::PotentialMap;
@@ -148,40 +149,6 @@ impl Run {
         }
     }
 
-    /// From row to row; whether it reached the end.
-    fn rows(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
-        observer.say(&format!(
-            "{} bubbles, {} threads",
-            self.present.cloud.len(),
-            rayon::current_num_threads()
-        ));
-        let mut shown = Instant::now();
-        self.write_status(State::Running, None)?;
-        let end = self.simulation.run.end_time;
-        while self.present.cloud.time < end {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(false);
-            }
-            let before = self.present.cloud.time;
-            self.next_row()?;
-            let now = self.present.cloud.time;
-            let output = &self.simulation.output;
-            let due = |every: f64| (now / every).floor() > (before / every).floor();
-            if due(output.fields_every) || now >= end {
-                self.tables.write_fields(&self.present.cloud)?;
-            }
-            if due(output.checkpoint_every) {
-                self.write_checkpoint()?;
-            }
-            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
-                shown = Instant::now();
-                observer.progress(&self.progress());
-                self.write_status(State::Running, None)?;
-            }
-        }
-        Ok(true)
-    }
-
     fn next_row(&mut self) -> Result<(), RunError> {
         // Counts stay far below 2^53.
         #[allow(clippy::cast_precision_loss)]
@@ -220,27 +187,45 @@ impl Run {
             .map_err(|e| RunError::Cloud(e.to_string()))?;
         self.tables.write_row(&p.cloud, &totals)
     }
+}
 
-    fn progress(&self) -> Progress<'_> {
-        let rows = self.present.rows - self.first_rows;
-        #[allow(clippy::cast_precision_loss)] // a rate for people
-        let rate = rows as f64 / self.begun.elapsed().as_secs_f64();
-        Progress {
-            time: self.present.cloud.time,
-            end_time: self.simulation.run.end_time,
-            step: self.present.rows,
-            steps_per_second: rate,
-            dt: self.simulation.output.history_every,
-            limiter: "history_every",
-            energy_drift: 0.0,
+impl Course for Run {
+    /// From row to row; whether it reached the end.
+    fn advance(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<bool, RunError> {
+        observer.say(&format!(
+            "{} bubbles, {} threads",
+            self.present.cloud.len(),
+            rayon::current_num_threads()
+        ));
+        let mut shown = Instant::now();
+        self.write_status(State::Running, None)?;
+        let end = self.simulation.run.end_time;
+        while self.present.cloud.time < end {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(false);
+            }
+            let before = self.present.cloud.time;
+            self.next_row()?;
+            let now = self.present.cloud.time;
+            let output = &self.simulation.output;
+            let due = |every: f64| (now / every).floor() > (before / every).floor();
+            if due(output.fields_every) || now >= end {
+                self.tables.write_fields(&self.present.cloud)?;
+            }
+            if due(output.checkpoint_every) {
+                self.write_checkpoint()?;
+            }
+            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
+                shown = Instant::now();
+                observer.progress(&self.progress());
+                self.write_status(State::Running, None)?;
+            }
         }
-    }
-
-    fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        let mut status = status::of(&self.progress(), state, message);
-        // The flow gives and takes energy: a cloud has no ledger of energy that closes, only one of bubbles.
-        status.energy_drift = None;
-        Ok(status.write(&self.folder.paths().status())?)
+        Ok(true)
     }
 
     fn write_checkpoint(&mut self) -> Result<(), RunError> {
@@ -261,51 +246,43 @@ impl Run {
         Ok(())
     }
 
-    fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
-        self.write_checkpoint()?;
+    fn progress(&self) -> Progress<'_> {
+        let rows = self.present.rows - self.first_rows;
+        #[allow(clippy::cast_precision_loss)] // a rate for people
+        let rate = rows as f64 / self.begun.elapsed().as_secs_f64();
+        Progress {
+            time: self.present.cloud.time,
+            end_time: self.simulation.run.end_time,
+            step: self.present.rows,
+            steps_per_second: rate,
+            dt: self.simulation.output.history_every,
+            limiter: "history_every",
+            // The flow gives and takes energy: a cloud has no ledger of energy that closes, only one of bubbles.
+            energy_drift: None,
+        }
+    }
+
+    fn results(&mut self) -> Result<(Summary, String), RunError> {
         if let Some(map) = &self.present.map {
             tables::write_map(&self.folder.paths().surface("erosion_potential"), map)?;
         }
         let wall_time = self.wall_time + self.begun.elapsed().as_secs_f64();
-        let mut summary = results::summary(&self.present, wall_time);
-        summary.set_input_hash("resolved.toml", &self.hash);
-        summary.write(&self.folder.paths().summary())?;
-        self.write_status(State::Done, None)?;
         let l = &self.present.cloud.ledger;
-        observer.say(&format!(
+        let words = format!(
             "{} collapses, {} impacts, {} bubbles left in {wall_time:.1} s",
             l.collapses,
             l.impacts,
             self.present.cloud.len()
-        ));
-        let report = crate::report::build(self.folder.paths().root())?;
-        Ok(Ended::Done { report })
-    }
-}
-
-impl Course for Run {
-    fn advance(
-        &mut self,
-        stop: &AtomicBool,
-        observer: &mut dyn Observer,
-    ) -> Result<bool, RunError> {
-        self.rows(stop, observer)
+        );
+        Ok((results::summary(&self.present, wall_time), words))
     }
 
-    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
-        self.finish(observer)
+    fn paths(&self) -> &RunPaths {
+        self.folder.paths()
     }
 
-    fn save(&mut self) -> Result<(), RunError> {
-        self.write_checkpoint()
-    }
-
-    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        self.write_status(state, message)
-    }
-
-    fn time(&self) -> f64 {
-        self.present.cloud.time
+    fn hash(&self) -> &str {
+        &self.hash
     }
 }
 

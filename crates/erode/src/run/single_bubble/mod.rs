@@ -7,13 +7,14 @@ mod record;
 mod results;
 mod tables;
 
+use super::RunError;
 use super::course::Course;
-use super::drive::Ended;
 use super::observer::{Observer, Progress as Seen};
-use super::{RunError, status};
 use crate::case::Simulation;
 use crate::case::bubbles::SingleBubble;
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, State};
+use crate::output::{
+    Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
+};
 use erode_physics::bubble::{BubbleState, Controls, Progress, advance};
 use record::{Record, Recorder};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -106,30 +107,6 @@ impl Run {
         }
     }
 
-    /// From mark to mark; whether it reached the end.
-    fn marks(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<bool, RunError> {
-        observer.say(&format!("one bubble, {}", model_name(&self.bubble)));
-        let mut shown = Instant::now();
-        self.write_status(State::Running, None)?;
-        while self.state.time < self.simulation.run.end_time && !self.record.closed {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(false);
-            }
-            let (mark, checkpoint) = self.next_mark();
-            self.advance_to(mark)?;
-            if checkpoint {
-                self.record.checkpoints += 1;
-                self.write_checkpoint()?;
-            }
-            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
-                shown = Instant::now();
-                observer.progress(&self.progress());
-                self.write_status(State::Running, None)?;
-            }
-        }
-        Ok(true)
-    }
-
     /// The next time to stop at, and whether a checkpoint is due there.
     fn next_mark(&self) -> (f64, bool) {
         let end = self.simulation.run.end_time;
@@ -195,25 +172,35 @@ impl Run {
             }
         }
     }
+}
 
-    fn progress(&self) -> Seen<'_> {
-        let steps = self.state.counters.steps - self.first_step;
-        #[allow(clippy::cast_precision_loss)] // a rate for people
-        let rate = steps as f64 / self.begun.elapsed().as_secs_f64();
-        Seen {
-            time: self.state.time,
-            end_time: self.simulation.run.end_time,
-            step: self.state.counters.steps,
-            steps_per_second: rate,
-            dt: self.state.next_step,
-            limiter: "tolerance",
-            energy_drift: self.record.drift(),
+impl Course for Run {
+    /// From mark to mark; whether it reached the end.
+    fn advance(
+        &mut self,
+        stop: &AtomicBool,
+        observer: &mut dyn Observer,
+    ) -> Result<bool, RunError> {
+        observer.say(&format!("one bubble, {}", model_name(&self.bubble)));
+        let mut shown = Instant::now();
+        self.write_status(State::Running, None)?;
+        while self.state.time < self.simulation.run.end_time && !self.record.closed {
+            if stop.load(Ordering::Relaxed) {
+                return Ok(false);
+            }
+            let (mark, checkpoint) = self.next_mark();
+            self.advance_to(mark)?;
+            if checkpoint {
+                self.record.checkpoints += 1;
+                self.write_checkpoint()?;
+            }
+            if shown.elapsed().as_secs_f64() > STATUS_EVERY {
+                shown = Instant::now();
+                observer.progress(&self.progress());
+                self.write_status(State::Running, None)?;
+            }
         }
-    }
-
-    fn write_status(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        let status = status::of(&self.progress(), state, message);
-        Ok(status.write(&self.folder.paths().status())?)
+        Ok(true)
     }
 
     fn write_checkpoint(&mut self) -> Result<(), RunError> {
@@ -236,46 +223,38 @@ impl Run {
         Ok(())
     }
 
-    fn finish(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
-        self.write_checkpoint()?;
+    fn progress(&self) -> Seen<'_> {
+        let steps = self.state.counters.steps - self.first_step;
+        #[allow(clippy::cast_precision_loss)] // a rate for people
+        let rate = steps as f64 / self.begun.elapsed().as_secs_f64();
+        Seen {
+            time: self.state.time,
+            end_time: self.simulation.run.end_time,
+            step: self.state.counters.steps,
+            steps_per_second: rate,
+            dt: self.state.next_step,
+            limiter: "tolerance",
+            energy_drift: Some(self.record.drift()),
+        }
+    }
+
+    fn results(&mut self) -> Result<(Summary, String), RunError> {
         let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
-        let mut summary = results::summary(&self.bubble, &self.state, &self.record, wall_time);
-        summary.set_input_hash("resolved.toml", &self.hash);
-        summary.write(&self.folder.paths().summary())?;
-        self.write_status(State::Done, None)?;
-        observer.say(&format!(
+        let summary = results::summary(&self.bubble, &self.state, &self.record, wall_time);
+        let words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.1e} %",
             self.state.counters.steps,
             100.0 * self.record.drift()
-        ));
-        let report = crate::report::build(self.folder.paths().root())?;
-        Ok(Ended::Done { report })
-    }
-}
-
-impl Course for Run {
-    fn advance(
-        &mut self,
-        stop: &AtomicBool,
-        observer: &mut dyn Observer,
-    ) -> Result<bool, RunError> {
-        self.marks(stop, observer)
+        );
+        Ok((summary, words))
     }
 
-    fn complete(&mut self, observer: &mut dyn Observer) -> Result<Ended, RunError> {
-        self.finish(observer)
+    fn paths(&self) -> &RunPaths {
+        self.folder.paths()
     }
 
-    fn save(&mut self) -> Result<(), RunError> {
-        self.write_checkpoint()
-    }
-
-    fn tell(&self, state: State, message: Option<&str>) -> Result<(), RunError> {
-        self.write_status(state, message)
-    }
-
-    fn time(&self) -> f64 {
-        self.state.time
+    fn hash(&self) -> &str {
+        &self.hash
     }
 }
 
