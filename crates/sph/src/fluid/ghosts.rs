@@ -94,10 +94,6 @@ pub const AXIS: u32 = u32::MAX;
 /// A particle is mirrored when nearer than this many smoothing lengths: support 2 plus room for graded spacing.
 const REACH: f64 = 2.5;
 
-/// The same at the axis, where a jet stretches particles to unequal sizes: a pair across the axis must find both of its
-/// images, or the exchange of mass between them is one-sided. They do up to a ratio of smoothing lengths of 4.
-const AXIS_REACH: f64 = 5.0;
-
 const AXIS_PLANE: Plane = Plane {
     normal: [1.0, 0.0],
     offset: 0.0,
@@ -126,7 +122,7 @@ impl Ghosts {
             );
             for (a, x) in position.iter().enumerate().take(count) {
                 let h = fluid.smoothing_length[ghosts.particle(n, a)];
-                if x[0] < AXIS_REACH * h {
+                if x[0] < REACH * h {
                     let of = a.checked_sub(n);
                     let wall = of.map_or(AXIS, |k| ghosts.wall[k]);
                     ghosts.push(a, AXIS_PLANE, wall, of.is_some_and(|k| ghosts.surface[k]));
