@@ -109,8 +109,10 @@ impl Colour {
         for j in j0..=j1 {
             for i in i0..=i1 {
                 let c = self.centre(i, j);
-                let distance = (c[0] - x[0]).hypot(c[1] - x[1]);
-                self.colour[i + self.size[0] * j] += area * kernel::value(distance, h);
+                let square = (c[0] - x[0]).powi(2) + (c[1] - x[1]).powi(2);
+                if square < radius * radius {
+                    self.colour[i + self.size[0] * j] += area * kernel::value(square.sqrt(), h);
+                }
             }
         }
         i0 <= i1 && j0 <= j1

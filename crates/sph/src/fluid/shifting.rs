@@ -107,12 +107,17 @@ pub(crate) fn exchange(fluid: &mut Fluid, sweep: &mut Sweep, shift: &[Vec2], dt:
         image,
         memory,
     );
-    let share = |a: usize| {
-        let given = -memory.results[places.place(a)].given;
-        (LARGEST_SHARE * fluid.volume[a] / given.max(f64::MIN_POSITIVE)).min(1.0)
-    };
-    let limited = (0..fluid.len()).filter(|a| share(*a) < 1.0).count();
+    let given = |a: usize| -memory.results[places.place(a)].given;
+    let limited = (0..fluid.len())
+        .into_par_iter()
+        .with_min_len(PARTICLES_PER_TASK)
+        .filter(|a| given(*a) > LARGEST_SHARE * fluid.volume[*a])
+        .count();
     if limited > 0 {
+        let share = |a: usize| {
+            let given = given(a).max(f64::MIN_POSITIVE);
+            (LARGEST_SHARE * fluid.volume[a] / given).min(1.0)
+        };
         let share: Vec<f64> = (0..fluid.len()).map(share).collect();
         places.sum(
             &law,
