@@ -73,6 +73,11 @@ pub(super) struct Wall {
 
 const NO_POINT: u32 = u32::MAX;
 
+/// Whether a face moves a particle that is continued beyond it in this way.
+fn drives(how: Reflection) -> bool {
+    matches!(how, Reflection::Slip | Reflection::Bonded)
+}
+
 /// What tractions can be scaled by.
 const SCALES: std::ops::Range<f64> = 0.2..5.0;
 
@@ -94,7 +99,7 @@ impl Surface {
         });
         let n = particle.len();
         let driven = (particle.iter())
-            .map(|&i| block.reflection(side, reference.position[i]) != Reflection::Open)
+            .map(|&i| drives(block.reflection(side, reference.position[i])))
             .collect();
         let ends = if along == 0 {
             [Side::Left, Side::Right]
@@ -124,8 +129,12 @@ impl Surface {
         };
         surface.place_strips(geometry, block, reference);
         surface.anchor.clone_from(&surface.reference_position);
-        surface.find_feet(block, reference)?;
-        surface.share_out(geometry, block, reference)?;
+        if surface.face == Face::Free {
+            surface.holds.fill(false);
+        } else {
+            surface.find_feet(block, reference)?;
+            surface.share_out(geometry, block, reference)?;
+        }
         Ok(surface)
     }
 
@@ -162,7 +171,7 @@ impl Surface {
         }
         let at = |j: usize| self.reference_position[j][along];
         for (b, position) in reference.position.iter().enumerate() {
-            if block.reflection(self.side, *position) == Reflection::Open {
+            if !drives(block.reflection(self.side, *position)) {
                 continue;
             }
             let x = position[along];
@@ -215,7 +224,7 @@ impl Surface {
         block: &Block,
         reference: &Reference,
     ) {
-        if matches!(self.face, Face::Driven(_)) {
+        if matches!(self.face, Face::Driven(_) | Face::Free) {
             return;
         }
         self.scale = self.scales(geometry, block, reference);
