@@ -64,7 +64,7 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         spacing,
         faces: [
             Face::Symmetry,
-            Face::Traction,
+            Face::Free,
             Face::Clamped,
             Face::Traction,
         ],
