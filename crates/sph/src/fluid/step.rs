@@ -14,6 +14,7 @@ use crate::fluid::momentum::{self, Forces};
 use crate::fluid::{Fluid, Formulation, joshi};
 use crate::geometry::Vec2;
 use crate::neighbours::Neighbours;
+use crate::phases::{Phase, Phases};
 
 /// Room for motion in the neighbour list during the second half of a step, in units of the support.
 const SKIN: f64 = 0.1;
@@ -27,12 +28,20 @@ pub(crate) struct Sweep {
 
 impl Fluid {
     /// Steps 1 to 3: positions from t to t + dt; the velocity stays at the middle of the step.
-    pub(crate) fn advance_positions(&mut self, walls: &[&dyn Wall], dt: f64) -> Sweep {
+    pub(crate) fn advance_positions(
+        &mut self,
+        walls: &[&dyn Wall],
+        dt: f64,
+        clock: &mut Phases,
+    ) -> Sweep {
         self.kick(0.5 * dt);
         self.drift(0.5 * dt, walls);
+        clock.lap(Phase::Integrate);
         let ghosts = Ghosts::find(self, walls);
         let x = Extended::new(self, &ghosts, &self.velocity);
+        clock.lap(Phase::Boundaries);
         let list = Neighbours::build(&x.position, &x.smoothing_length, self.len(), SKIN);
+        clock.lap(Phase::List);
         let kinematics = kinematics::sweep(self, &x, &list);
         let sweep = Sweep {
             ghosts,
@@ -47,10 +56,12 @@ impl Fluid {
                 self.smoothing_velocities(&x, &sweep, s.xsph)
             }
         };
+        clock.lap(Phase::Sweeps);
         for (x, u) in self.position.iter_mut().zip(&extra) {
             *x = [x[0] + dt * u[0], x[1] + dt * u[1]];
         }
         self.drift(0.5 * dt, walls);
+        clock.lap(Phase::Integrate);
         sweep
     }
 
@@ -62,11 +73,13 @@ impl Fluid {
         walls: &[&dyn Wall],
         dt: f64,
         time: f64,
+        clock: &mut Phases,
     ) -> Vec<Vec2> {
         let predicted: Vec<Vec2> = (0..self.len())
             .map(|a| [0, 1].map(|i| self.velocity[a][i] + 0.5 * dt * self.acceleration[a][i]))
             .collect();
         let ghosts = sweep.ghosts.refresh(self, walls);
+        clock.lap(Phase::Boundaries);
         match self.formulation {
             Formulation::Corrected(_) => self.update_smoothing_length(),
             Formulation::Joshi(_) => self.sum_density(&ghosts, sweep),
@@ -84,6 +97,7 @@ impl Fluid {
         for (a, f) in self.acceleration.iter_mut().zip(&forces) {
             *a = f.acceleration;
         }
+        clock.lap(Phase::Sweeps);
         (forces.iter().zip(&self.mass))
             .map(|(f, m)| f.wall.map(|w| -m * w))
             .collect()

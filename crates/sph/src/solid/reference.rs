@@ -183,6 +183,12 @@ impl Reference {
         &self.pairs[self.pair_start[a] as usize..self.pair_start[a + 1] as usize]
     }
 
+    /// Number of pairs of all particles with their real neighbours and mirror images.
+    #[must_use]
+    pub fn pairs(&self) -> usize {
+        self.pairs.len()
+    }
+
     /// Open images that act on a particle.
     pub(super) fn open_pairs_of(&self, a: usize) -> &[OpenPair] {
         &self.open_pairs[self.open_start[a] as usize..self.open_start[a + 1] as usize]

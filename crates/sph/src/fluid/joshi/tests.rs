@@ -2,6 +2,7 @@ use super::*;
 use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::{Formulation, Start, kinematics};
 use crate::neighbours::Neighbours;
+use crate::phases::Phases;
 use erode_physics::eos::Tait;
 
 const WATER: Tait = Tait {
@@ -134,7 +135,7 @@ fn a_wall_feels_pressure_times_area() {
     let sides = fluid.sides.clone();
     let mut walls: Vec<&dyn Wall> = sides.iter().map(|p| p as &dyn Wall).collect();
     walls.push(&lid);
-    let sweep = fluid.advance_positions(&walls, 1e-12);
+    let sweep = fluid.advance_positions(&walls, 1e-12, &mut Phases::default());
     fluid.volume = (fluid.mass.iter()).map(|m| m / WATER.density(P)).collect();
     fluid.pressure.fill(P);
     let x = Extended::new(&fluid, &sweep.ghosts, &fluid.velocity);
