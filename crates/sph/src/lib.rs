@@ -12,6 +12,7 @@ pub mod neighbours;
 pub mod packing;
 pub mod phases;
 pub mod shapes;
+pub mod simd;
 pub mod solid;
 
 pub mod world;
