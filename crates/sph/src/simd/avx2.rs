@@ -80,6 +80,18 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn load_single(x: &[f32; LANES]) -> Self {
+        let (low, high) = x.split_at(LANES / 2);
+        // SAFETY: see `Lanes`; four numbers are read from each half of eight, at any alignment.
+        unsafe {
+            Self(
+                _mm256_cvtps_pd(_mm_loadu_ps(low.as_ptr())),
+                _mm256_cvtps_pd(_mm_loadu_ps(high.as_ptr())),
+            )
+        }
+    }
+
+    #[inline(always)]
     fn store(self) -> [f64; LANES] {
         let mut x = [0.0; LANES];
         let (low, high) = x.split_at_mut(LANES / 2);

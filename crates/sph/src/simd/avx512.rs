@@ -69,6 +69,12 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn load_single(x: &[f32; LANES]) -> Self {
+        // SAFETY: see `Lanes`; eight numbers are read from an array of eight, at any alignment.
+        Self(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(x.as_ptr())) })
+    }
+
+    #[inline(always)]
     fn store(self) -> [f64; LANES] {
         let mut x = [0.0; LANES];
         // SAFETY: see `Lanes`; eight numbers are written to an array of eight, at any alignment.

@@ -60,6 +60,9 @@ pub trait Simd:
     /// Lanes from memory.
     fn load(x: &[f64; LANES]) -> Self;
 
+    /// Lanes from memory in single precision, which is exact.
+    fn load_single(x: &[f32; LANES]) -> Self;
+
     /// Lanes to memory.
     fn store(self) -> [f64; LANES];
 

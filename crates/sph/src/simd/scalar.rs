@@ -69,6 +69,11 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn load_single(x: &[f32; LANES]) -> Self {
+        Self(x.map(f64::from))
+    }
+
+    #[inline(always)]
     fn store(self) -> [f64; LANES] {
         self.0
     }

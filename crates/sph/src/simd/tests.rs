@@ -24,6 +24,7 @@ impl Task for Everything {
             S::select(less, b, c),
             S::splat(self.0[2][3]),
             S::splat(f64::from(S::bits(less))),
+            S::load_single(&self.0[0].map(|x| x as f32)),
         ];
         // The sign and payload of a result that is not a number are nobody's business.
         let bits = |x: f64| if x.is_nan() { u64::MAX } else { x.to_bits() };
@@ -98,6 +99,7 @@ fn the_reference_does_what_it_says() {
             if less { b[i] } else { c[i] },
             c[3],
             mask,
+            f64::from(a[i] as f32),
         ];
         let found: Vec<f64> = found.iter().map(|f| f64::from_bits(f[i])).collect();
         assert_eq!(found, expected);

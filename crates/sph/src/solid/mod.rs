@@ -15,6 +15,7 @@ mod force;
 mod images;
 mod indenter;
 mod mat2;
+mod pairs;
 mod quasi_static;
 mod reference;
 mod renewal;
@@ -23,6 +24,7 @@ mod search;
 mod state;
 mod step;
 mod stress;
+mod sums;
 mod surface;
 pub mod updated;
 

@@ -12,6 +12,7 @@
 
 use super::mat2::{Mat2, UNIT, combine, determinant, inverse, product};
 use super::reference::Reference;
+use super::sums::{self, Matrices};
 use super::{Formulation, Solid, SolidError};
 use crate::geometry::{Geometry, Vec2};
 use erode_physics::Sym3;
@@ -37,6 +38,13 @@ pub(super) fn gradient(reference: &Reference, field: &[Vec2], a: usize) -> Mat2 
         m[1][1] += d[1] * g[1];
     }
     product(&m, &reference.own_correction[a])
+}
+
+/// The same from the sums over all pairs.
+fn summed(reference: &Reference, sums: &[Matrices], a: usize) -> Mat2 {
+    let (cluster, lane) = reference.pairs.slot(a);
+    let m = sums[cluster].map(|m| m[lane]);
+    product(&[[m[0], m[1]], [m[2], m[3]]], &reference.own_correction[a])
 }
 
 /// Everything the stress update changes at one particle.
@@ -154,11 +162,17 @@ impl Solid {
         self.check_free_faces()?;
         let form = self.numerics.formulation;
         match form {
-            Formulation::TotalLagrangian => self.place_images(),
+            Formulation::TotalLagrangian => {
+                self.place_images();
+                let scratch = &mut self.scratch;
+                let pairs = &self.reference.pairs;
+                sums::gradients(pairs, &scratch.position, &mut scratch.gradients);
+            }
             Formulation::Joshi(_) => self.velocity_gradients(),
         }
         let (reference, material, law) = (&self.reference, &self.material, &self.damage);
-        let (position, rates) = (&self.scratch.position, &self.present.gradient);
+        let rates = &self.present.gradient;
+        let sums = &self.scratch.gradients;
         let axisymmetric = self.geometry == Geometry::Axisymmetric;
         let s = &mut self.state;
         let (place, removed) = (&s.position, &s.removed);
@@ -209,7 +223,7 @@ impl Solid {
                     1.0
                 };
                 let f = match form {
-                    Formulation::TotalLagrangian => gradient(reference, position, a),
+                    Formulation::TotalLagrangian => summed(reference, sums, a),
                     Formulation::Joshi(_) => advanced(point.deformation, &rates[a], dt),
                 };
                 let laws = (material, law, reference.volume_ratio[a]);
