@@ -108,7 +108,7 @@ impl Pairs {
     ) -> Self {
         let real = cloud.particles + cloud.mirror_images.len();
         let h = &cloud.smoothing_length;
-        let unit = h.iter().fold(f64::INFINITY, |m: f64, &x| m.min(x));
+        let unit = cloud.unit();
         let fixed = |j: usize| {
             let s = source(cloud.source[j] as usize);
             Fixed {
@@ -239,6 +239,29 @@ impl Pairs {
     }
 }
 
+impl Cloud {
+    /// Smallest smoothing length, m: unit of the stored kernel values.
+    pub(super) fn unit(&self) -> f64 {
+        let h = self.smoothing_length.iter();
+        h.fold(f64::INFINITY, |m: f64, &x| m.min(x))
+    }
+
+    /// Square of the distance (m2) and smoothing length (m) of a pair.
+    fn distance(&self, a: usize, j: usize) -> (f64, f64) {
+        let offset = [0, 1].map(|k| self.points[a][k] - self.points[j][k]);
+        let square = offset[0] * offset[0] + offset[1] * offset[1];
+        let h = 0.5 * (self.smoothing_length[a] + self.smoothing_length[j]);
+        (square, h)
+    }
+
+    /// (dW/dX)/X of a pair as precise as the stored ones: images on one side of a particle balance neighbours on the other.
+    pub(super) fn gradient_factor(&self, a: usize, j: usize, unit: f64) -> f64 {
+        let (square, h) = self.distance(a, j);
+        let stored = (kernel::gradient_factor(square.sqrt(), h) / square * unit.powi(6)) as f32;
+        f64::from(stored) * unit.powi(-6) * square
+    }
+}
+
 /// The list of one cluster.
 struct List {
     neighbour: Vec<u32>,
@@ -260,13 +283,10 @@ impl List {
         neighbour.dedup();
         let each = |of: fn(f64, f64) -> f64, power: i32| -> Vec<[f32; LANES]> {
             let lane = |a: u32, j: u32| {
-                let (a, j) = (a as usize, j as usize);
-                let offset = [0, 1].map(|k| cloud.points[a][k] - cloud.points[j][k]);
-                let square = offset[0] * offset[0] + offset[1] * offset[1];
-                let h = 0.5 * (cloud.smoothing_length[a] + cloud.smoothing_length[j]);
                 if a == j {
                     0.0
                 } else {
+                    let (square, h) = cloud.distance(a as usize, j as usize);
                     (of(square.sqrt(), h) / square * unit.powi(power)) as f32
                 }
             };

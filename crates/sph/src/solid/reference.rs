@@ -11,7 +11,6 @@ use super::pairs::{Pair, Pairs, Source, Stabilisers};
 use super::search::Cloud;
 use super::{Numerics, SolidError};
 use crate::geometry::{Geometry, Vec2};
-use crate::kernel;
 use erode_physics::material_point::Material;
 
 /// Particles no deeper than this many spacings under a face are its first row.
@@ -151,8 +150,9 @@ impl Reference {
             position,
             area: layout.area,
         };
+        let unit = cloud.unit();
         for (a, list) in lists.iter().enumerate() {
-            reference.add_open_pairs(a, list, &cloud);
+            reference.add_open_pairs(a, list, &cloud, unit);
         }
         let stabilisers = Stabilisers {
             viscosity: numerics.viscosity,
@@ -237,7 +237,7 @@ impl Reference {
     }
 
     /// Lists the open images that act on a particle; `list` are its neighbours.
-    fn add_open_pairs(&mut self, a: usize, list: &[u32], cloud: &Cloud) {
+    fn add_open_pairs(&mut self, a: usize, list: &[u32], cloud: &Cloud, unit: f64) {
         let first_open = cloud.particles + cloud.mirror_images.len();
         for j in list
             .iter()
@@ -245,15 +245,12 @@ impl Reference {
             .filter(|&j| j >= first_open)
         {
             let source = cloud.source[j] as usize;
-            let h = 0.5 * (self.smoothing_length[a] + cloud.smoothing_length[j]);
-            let offset = [0, 1].map(|k| self.position[a][k] - cloud.points[j][k]);
-            let square = offset[0] * offset[0] + offset[1] * offset[1];
             let gone = self.forgotten[a] || self.forgotten[source];
             let area = if gone { 0.0 } else { self.area[source] };
             self.open_pairs.push(OpenPair {
                 image: (j - first_open) as u32,
-                offset,
-                gradient: area * kernel::gradient_factor(square.sqrt(), h),
+                offset: [0, 1].map(|k| self.position[a][k] - cloud.points[j][k]),
+                gradient: area * cloud.gradient_factor(a, j, unit),
             });
         }
         self.open_start.push(self.open_pairs.len() as u32);
