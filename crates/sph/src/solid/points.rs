@@ -190,6 +190,11 @@ fn increment<S: Simd>(old: &Stretch<S>, new: &Stretch<S>) -> (Plane<S>, S) {
     ([xx, yy, hoop, half * (xy + yx)], half * (xy - yx))
 }
 
+#[inline(always)]
+fn times<S: Simd>(t: Plane<S>, factor: S) -> Plane<S> {
+    [t[0] * factor, t[1] * factor, t[2] * factor, t[3] * factor]
+}
+
 /// Q A Q^T as in [`Sym3::rotated_by_spin`], times a factor.
 #[inline(always)]
 fn rotated<S: Simd>(stress: Plane<S>, spin: S, factor: S) -> Plane<S> {
@@ -199,7 +204,7 @@ fn rotated<S: Simd>(stress: Plane<S>, spin: S, factor: S) -> Plane<S> {
     let scale = one / (one + square);
     let (c, s) = ((one - square) * scale, (half + half) * scale);
     let (cc, ss, cs) = (c * c, s * s, c * s);
-    let [xx, yy, zz, xy] = stress.map(|x| x * factor);
+    let [xx, yy, zz, xy] = times(stress, factor);
     let twice = (cs + cs) * xy;
     [
         cc.mul_add(xx, ss.mul_add(yy, twice)),
@@ -274,7 +279,7 @@ impl Eight {
         let (lambda, mu) = (elastic.lame_lambda(), elastic.shear_modulus());
         let kirchhoff = with_elastic(rotated(stress, spin, old_j / sound), strain, lambda, mu);
         let per_j = one / j;
-        let trial = kirchhoff.map(|x| x * per_j);
+        let trial = times(kirchhoff, per_j);
         let mean = (trial[0] + trial[1] + trial[2]) * S::splat(1.0 / 3.0);
         let dev = [trial[0] - mean, trial[1] - mean, trial[2] - mean, trial[3]];
         let square = dev[0].mul_add(dev[0], dev[1].mul_add(dev[1], dev[2] * dev[2]));
@@ -292,7 +297,12 @@ impl Eight {
         .solve(laws.yields.as_ref());
         let point = Found {
             mean: mean.store(),
-            deviator: dev.map(S::store),
+            deviator: [
+                dev[0].store(),
+                dev[1].store(),
+                dev[2].store(),
+                dev[3].store(),
+            ],
             trial: size.store(),
             volume_ratio: j.store(),
             increment: returned.increment.store(),
