@@ -7,6 +7,8 @@ use std::time::Instant;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
+    /// Order of the particles in clusters.
+    Sort,
     /// Search of neighbours.
     List,
     /// Ghosts, images, surfaces, loads and contact on them.
@@ -19,12 +21,19 @@ pub enum Phase {
 
 impl Phase {
     /// All phases.
-    pub const ALL: [Self; 4] = [Self::List, Self::Boundaries, Self::Sweeps, Self::Integrate];
+    pub const ALL: [Self; 5] = [
+        Self::Sort,
+        Self::List,
+        Self::Boundaries,
+        Self::Sweeps,
+        Self::Integrate,
+    ];
 
     /// Name in tables and files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
+            Self::Sort => "sort",
             Self::List => "list",
             Self::Boundaries => "boundaries",
             Self::Sweeps => "sweeps",

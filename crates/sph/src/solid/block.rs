@@ -55,7 +55,8 @@ pub enum Face {
     Driven(Driven),
     /// Pressure given by the caller, zero at first.
     Traction,
-    /// Nothing acts, ever: force and strain use the same gradients there, so that energy is kept without viscosity.
+    /// Nothing acts, ever: without images force and strain use the same gradients, so that energy is kept without
+    /// viscosity. A wave in a bar six particles in radius is 1.7 % slow with it, with a traction face 0.5 %.
     Free,
     /// Waves leave (see `absorbing.rs`).
     Absorbing,

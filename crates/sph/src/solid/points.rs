@@ -295,7 +295,11 @@ impl Eight {
             dt,
         }
         .solve(laws.yields.as_ref());
+        let plastic = S::splat(0.0).lt(returned.increment);
+        let scale = S::select(plastic, returned.stress / size, one);
         let point = Found {
+            scale: scale.store(),
+            rate: (returned.increment / dt).store(),
             mean: mean.store(),
             deviator: [
                 dev[0].store(),
@@ -338,7 +342,12 @@ impl Eight {
             if j.is_nan() || j <= 0.0 {
                 return Some((a, Failure::Inverted(j)));
             }
-            let mut flow = (point.increment[l], point.stress[l]);
+            let mut flow = Flow {
+                increment: point.increment[l],
+                rate: point.rate[l],
+                von_mises: point.stress[l],
+                scale: point.scale[l],
+            };
             if returned.unsolved >> l & 1 == 1 {
                 match solve_alone(f, laws, i, point.trial[l], j) {
                     Ok(found) => flow = found,
@@ -353,21 +362,35 @@ impl Eight {
     }
 }
 
-/// Increment and stress of one particle by the scalar solver.
+/// Plastic flow of one particle.
+#[derive(Clone, Copy)]
+struct Flow {
+    increment: f64,
+    rate: f64,
+    von_mises: f64,
+    /// Of the deviator of the trial stress.
+    scale: f64,
+}
+
+/// Flow of one particle by the scalar solver.
 #[cold]
-fn solve_alone(
-    f: &Fields,
-    laws: &Laws,
-    i: usize,
-    trial: f64,
-    j: f64,
-) -> Result<(f64, f64), Failure> {
+fn solve_alone(f: &Fields, laws: &Laws, i: usize, trial: f64, j: f64) -> Result<Flow, Failure> {
     let shear_modulus = laws.material.elastic.shear_modulus() / j;
     let strength = &laws.material.strength;
     let (strain, heat) = (f.plastic_strain[i], f.temperature[i]);
-    radial_return(trial, strain, laws.dt, heat, shear_modulus, strength)
-        .map(|found| (found.increment, found.yield_stress))
-        .map_err(Failure::Return)
+    let found = radial_return(trial, strain, laws.dt, heat, shear_modulus, strength);
+    let found = found.map_err(Failure::Return)?;
+    let plastic = found.increment > 0.0;
+    Ok(Flow {
+        increment: found.increment,
+        rate: found.increment / laws.dt,
+        von_mises: found.yield_stress,
+        scale: if plastic {
+            found.yield_stress / trial
+        } else {
+            1.0
+        },
+    })
 }
 
 /// What the lanes found for eight particles.
@@ -377,6 +400,9 @@ struct Found {
     deviator: [[f64; LANES]; 4],
     /// Its von Mises norm.
     trial: [f64; LANES],
+    /// See [`Flow`].
+    scale: [f64; LANES],
+    rate: [f64; LANES],
     volume_ratio: [f64; LANES],
     increment: [f64; LANES],
     stress: [f64; LANES],
@@ -385,19 +411,9 @@ struct Found {
 impl Found {
     /// Books the plastic flow of one particle (index in the task, lane), and its damage.
     #[inline(always)]
-    fn flow(
-        &self,
-        f: &mut Fields,
-        laws: &Laws,
-        (i, l): (usize, usize),
-        (increment, von_mises): (f64, f64),
-    ) {
-        let scale = if increment == 0.0 {
-            1.0
-        } else {
-            von_mises / self.trial[l]
-        };
-        let [xx, yy, zz, xy] = self.deviator.map(|d| d[l] * scale);
+    fn flow(&self, f: &mut Fields, laws: &Laws, (i, l): (usize, usize), flow: Flow) {
+        let (increment, von_mises) = (flow.increment, flow.von_mises);
+        let [xx, yy, zz, xy] = self.deviator.map(|d| d[l] * flow.scale);
         let stress = Sym3 {
             xx: self.mean[l] + xx,
             yy: self.mean[l] + yy,
@@ -406,14 +422,14 @@ impl Found {
             ..Sym3::ZERO
         };
         let j = self.volume_ratio[l];
-        f.plastic_strain_rate[i] = increment / laws.dt;
+        f.plastic_strain_rate[i] = flow.rate;
         let sound = laws.damage.integrity(f.damage[i]);
         if increment > 0.0 {
             f.damage[i] = laws.damage.after(
                 f.damage[i],
                 PlasticStep {
                     increment,
-                    rate: increment / laws.dt,
+                    rate: flow.rate,
                     triaxiality: self.mean[l] / von_mises,
                     temperature: f.temperature[i],
                 },
