@@ -7,7 +7,7 @@ use std::time::Instant;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
-    /// Order of the particles in space.
+    /// Order of the particles in clusters.
     Sort,
     /// Search of neighbours.
     List,

@@ -178,7 +178,11 @@ impl Pairs {
     /// One number of each particle of a cluster.
     #[inline(always)]
     pub(super) fn lanes<S: Simd>(&self, cluster: usize, of: impl Fn(usize) -> f64) -> S {
-        S::load(&self.members[cluster].map(|a| of(a as usize)))
+        let mut x = [0.0; LANES];
+        for (x, &a) in x.iter_mut().zip(&self.members[cluster]) {
+            *x = of(a as usize);
+        }
+        S::load(&x)
     }
 
     /// Places in the lists where the neighbours of a particle stand.

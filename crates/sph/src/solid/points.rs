@@ -190,6 +190,11 @@ fn increment<S: Simd>(old: &Stretch<S>, new: &Stretch<S>) -> (Plane<S>, S) {
     ([xx, yy, hoop, half * (xy + yx)], half * (xy - yx))
 }
 
+#[inline(always)]
+fn times<S: Simd>(t: Plane<S>, factor: S) -> Plane<S> {
+    [t[0] * factor, t[1] * factor, t[2] * factor, t[3] * factor]
+}
+
 /// Q A Q^T as in [`Sym3::rotated_by_spin`], times a factor.
 #[inline(always)]
 fn rotated<S: Simd>(stress: Plane<S>, spin: S, factor: S) -> Plane<S> {
@@ -199,7 +204,7 @@ fn rotated<S: Simd>(stress: Plane<S>, spin: S, factor: S) -> Plane<S> {
     let scale = one / (one + square);
     let (c, s) = ((one - square) * scale, (half + half) * scale);
     let (cc, ss, cs) = (c * c, s * s, c * s);
-    let [xx, yy, zz, xy] = stress.map(|x| x * factor);
+    let [xx, yy, zz, xy] = times(stress, factor);
     let twice = (cs + cs) * xy;
     [
         cc.mul_add(xx, ss.mul_add(yy, twice)),
@@ -274,7 +279,7 @@ impl Eight {
         let (lambda, mu) = (elastic.lame_lambda(), elastic.shear_modulus());
         let kirchhoff = with_elastic(rotated(stress, spin, old_j / sound), strain, lambda, mu);
         let per_j = one / j;
-        let trial = kirchhoff.map(|x| x * per_j);
+        let trial = times(kirchhoff, per_j);
         let mean = (trial[0] + trial[1] + trial[2]) * S::splat(1.0 / 3.0);
         let dev = [trial[0] - mean, trial[1] - mean, trial[2] - mean, trial[3]];
         let square = dev[0].mul_add(dev[0], dev[1].mul_add(dev[1], dev[2] * dev[2]));
@@ -290,9 +295,18 @@ impl Eight {
             dt,
         }
         .solve(laws.yields.as_ref());
+        let plastic = S::splat(0.0).lt(returned.increment);
+        let scale = S::select(plastic, returned.stress / size, one);
         let point = Found {
+            scale: scale.store(),
+            rate: (returned.increment / dt).store(),
             mean: mean.store(),
-            deviator: dev.map(S::store),
+            deviator: [
+                dev[0].store(),
+                dev[1].store(),
+                dev[2].store(),
+                dev[3].store(),
+            ],
             trial: size.store(),
             volume_ratio: j.store(),
             increment: returned.increment.store(),
@@ -328,7 +342,12 @@ impl Eight {
             if j.is_nan() || j <= 0.0 {
                 return Some((a, Failure::Inverted(j)));
             }
-            let mut flow = (point.increment[l], point.stress[l]);
+            let mut flow = Flow {
+                increment: point.increment[l],
+                rate: point.rate[l],
+                von_mises: point.stress[l],
+                scale: point.scale[l],
+            };
             if returned.unsolved >> l & 1 == 1 {
                 match solve_alone(f, laws, i, point.trial[l], j) {
                     Ok(found) => flow = found,
@@ -343,21 +362,35 @@ impl Eight {
     }
 }
 
-/// Increment and stress of one particle by the scalar solver.
+/// Plastic flow of one particle.
+#[derive(Clone, Copy)]
+struct Flow {
+    increment: f64,
+    rate: f64,
+    von_mises: f64,
+    /// Of the deviator of the trial stress.
+    scale: f64,
+}
+
+/// Flow of one particle by the scalar solver.
 #[cold]
-fn solve_alone(
-    f: &Fields,
-    laws: &Laws,
-    i: usize,
-    trial: f64,
-    j: f64,
-) -> Result<(f64, f64), Failure> {
+fn solve_alone(f: &Fields, laws: &Laws, i: usize, trial: f64, j: f64) -> Result<Flow, Failure> {
     let shear_modulus = laws.material.elastic.shear_modulus() / j;
     let strength = &laws.material.strength;
     let (strain, heat) = (f.plastic_strain[i], f.temperature[i]);
-    radial_return(trial, strain, laws.dt, heat, shear_modulus, strength)
-        .map(|found| (found.increment, found.yield_stress))
-        .map_err(Failure::Return)
+    let found = radial_return(trial, strain, laws.dt, heat, shear_modulus, strength);
+    let found = found.map_err(Failure::Return)?;
+    let plastic = found.increment > 0.0;
+    Ok(Flow {
+        increment: found.increment,
+        rate: found.increment / laws.dt,
+        von_mises: found.yield_stress,
+        scale: if plastic {
+            found.yield_stress / trial
+        } else {
+            1.0
+        },
+    })
 }
 
 /// What the lanes found for eight particles.
@@ -367,6 +400,9 @@ struct Found {
     deviator: [[f64; LANES]; 4],
     /// Its von Mises norm.
     trial: [f64; LANES],
+    /// See [`Flow`].
+    scale: [f64; LANES],
+    rate: [f64; LANES],
     volume_ratio: [f64; LANES],
     increment: [f64; LANES],
     stress: [f64; LANES],
@@ -375,19 +411,9 @@ struct Found {
 impl Found {
     /// Books the plastic flow of one particle (index in the task, lane), and its damage.
     #[inline(always)]
-    fn flow(
-        &self,
-        f: &mut Fields,
-        laws: &Laws,
-        (i, l): (usize, usize),
-        (increment, von_mises): (f64, f64),
-    ) {
-        let scale = if increment == 0.0 {
-            1.0
-        } else {
-            von_mises / self.trial[l]
-        };
-        let [xx, yy, zz, xy] = self.deviator.map(|d| d[l] * scale);
+    fn flow(&self, f: &mut Fields, laws: &Laws, (i, l): (usize, usize), flow: Flow) {
+        let (increment, von_mises) = (flow.increment, flow.von_mises);
+        let [xx, yy, zz, xy] = self.deviator.map(|d| d[l] * flow.scale);
         let stress = Sym3 {
             xx: self.mean[l] + xx,
             yy: self.mean[l] + yy,
@@ -396,14 +422,14 @@ impl Found {
             ..Sym3::ZERO
         };
         let j = self.volume_ratio[l];
-        f.plastic_strain_rate[i] = increment / laws.dt;
+        f.plastic_strain_rate[i] = flow.rate;
         let sound = laws.damage.integrity(f.damage[i]);
         if increment > 0.0 {
             f.damage[i] = laws.damage.after(
                 f.damage[i],
                 PlasticStep {
                     increment,
-                    rate: increment / laws.dt,
+                    rate: flow.rate,
                     triaxiality: self.mean[l] / von_mises,
                     temperature: f.temperature[i],
                 },

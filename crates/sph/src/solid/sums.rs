@@ -68,20 +68,23 @@ impl Task for Gradients<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         for (k, result) in self.result.iter_mut().enumerate() {
-            *result = gradient::<S>(self.pairs, self.field, self.first + k).map(S::store);
+            *result = store(gradient::<S>(self.pairs, self.field, self.first + k));
         }
     }
 }
 
 #[inline(always)]
 fn gradient<S: Simd>(pairs: &Pairs, field: &[Vec2], cluster: usize) -> [S; 4] {
-    let place = [0, 1].map(|i| pairs.lanes::<S>(cluster, |a| pairs.fixed[a].position[i]));
-    let own = [0, 1].map(|i| pairs.lanes::<S>(cluster, |a| field[a][i]));
+    let place = place::<S>(pairs, cluster);
+    let own: [S; 2] = [
+        pairs.lanes(cluster, |a| field[a][0]),
+        pairs.lanes(cluster, |a| field[a][1]),
+    ];
     let mut m = [S::splat(0.0); 4];
     for entry in pairs.entries(cluster) {
         let (_, gw) = offset_and_gradient(place, &entry);
         let other = field[entry.neighbour];
-        let d = [0, 1].map(|i| S::splat(other[i]) - own[i]);
+        let d = [S::splat(other[0]) - own[0], S::splat(other[1]) - own[1]];
         m = [
             d[0].mul_add(gw[0], m[0]),
             d[0].mul_add(gw[1], m[1]),
@@ -95,11 +98,11 @@ fn gradient<S: Simd>(pairs: &Pairs, field: &[Vec2], cluster: usize) -> [S; 4] {
 /// X_a - X_b with A_b (dW/dX)/X^3, and A_b grad_a W.
 #[inline(always)]
 fn offset_and_gradient<S: Simd>(place: [S; 2], entry: &Entry) -> (([S; 2], S), [S; 2]) {
-    let x = [0, 1].map(|i| place[i] - S::splat(entry.fixed.position[i]));
+    let x = minus(place, entry.fixed.position);
     let square = x[0].mul_add(x[0], x[1] * x[1]);
     let cubed = S::load_single(entry.gradient) * S::splat(entry.fixed.area[0]);
     let factor = cubed * square;
-    ((x, cubed), x.map(|x| factor * x))
+    ((x, cubed), [factor * x[0], factor * x[1]])
 }
 
 struct ForceSums<'a> {
@@ -115,7 +118,7 @@ impl Task for ForceSums<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         for (k, result) in self.result.iter_mut().enumerate() {
-            *result = force::<S>(self.pairs, self.moving, self.first + k).map(S::store);
+            *result = store(force::<S>(self.pairs, self.moving, self.first + k));
         }
     }
 }
@@ -138,12 +141,17 @@ impl<S: Simd> Own<S> {
     fn new(pairs: &Pairs, moving: &[Moving], cluster: usize) -> Self {
         let fixed = &pairs.fixed;
         Self {
-            place: [0, 1].map(|i| pairs.lanes(cluster, |a| fixed[a].position[i])),
-            position: [0, 1].map(|i| pairs.lanes(cluster, |a| moving[a].position[i])),
-            velocity: [0, 1].map(|i| pairs.lanes(cluster, |a| moving[a].velocity[i])),
-            half_deformation: CELLS
-                .map(|[i, j]| pairs.lanes(cluster, |a| moving[a].half_deformation[i][j])),
-            flux: CELLS.map(|[i, j]| pairs.lanes(cluster, |a| moving[a].flux[i][j])),
+            place: place(pairs, cluster),
+            position: [
+                pairs.lanes(cluster, |a| moving[a].position[0]),
+                pairs.lanes(cluster, |a| moving[a].position[1]),
+            ],
+            velocity: [
+                pairs.lanes(cluster, |a| moving[a].velocity[0]),
+                pairs.lanes(cluster, |a| moving[a].velocity[1]),
+            ],
+            half_deformation: matrix(pairs, cluster, |a| &moving[a].half_deformation),
+            flux: matrix(pairs, cluster, |a| &moving[a].flux),
             half_length: pairs.lanes(cluster, |a| fixed[a].half_length),
             edge: pairs.lanes(cluster, |a| fixed[a].edge),
             inverse: [
@@ -162,8 +170,50 @@ impl<S: Simd> Own<S> {
     }
 }
 
-/// Rows and columns of a matrix in the order of [`Matrices`].
-const CELLS: [[usize; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
+// In lanes arrays are written out: what `map` calls may stay outside of the instructions that `simd::run` turns on.
+
+/// Reference positions of the particles of a cluster.
+#[inline(always)]
+fn place<S: Simd>(pairs: &Pairs, cluster: usize) -> [S; 2] {
+    [
+        pairs.lanes(cluster, |a| pairs.fixed[a].position[0]),
+        pairs.lanes(cluster, |a| pairs.fixed[a].position[1]),
+    ]
+}
+
+/// A matrix of each particle of a cluster, rows first.
+#[inline(always)]
+fn matrix<'a, S: Simd>(pairs: &Pairs, cluster: usize, of: impl Fn(usize) -> &'a Mat2) -> [S; 4] {
+    [
+        pairs.lanes(cluster, |a| of(a)[0][0]),
+        pairs.lanes(cluster, |a| of(a)[0][1]),
+        pairs.lanes(cluster, |a| of(a)[1][0]),
+        pairs.lanes(cluster, |a| of(a)[1][1]),
+    ]
+}
+
+#[inline(always)]
+fn minus<S: Simd>(own: [S; 2], other: Vec2) -> [S; 2] {
+    [own[0] - S::splat(other[0]), own[1] - S::splat(other[1])]
+}
+
+/// A row of the sum of two matrices.
+#[inline(always)]
+fn plus<S: Simd>(own: &[S; 4], row: usize, other: &Mat2) -> [S; 2] {
+    [
+        own[2 * row] + S::splat(other[row][0]),
+        own[2 * row + 1] + S::splat(other[row][1]),
+    ]
+}
+
+#[inline(always)]
+fn store<S: Simd, const N: usize>(lanes: [S; N]) -> [[f64; LANES]; N] {
+    let mut numbers = [[0.0; LANES]; N];
+    for (numbers, lanes) in numbers.iter_mut().zip(lanes) {
+        *numbers = lanes.store();
+    }
+    numbers
+}
 
 #[inline(always)]
 fn force<S: Simd>(pairs: &Pairs, moving: &[Moving], cluster: usize) -> [S; 6] {
@@ -174,8 +224,8 @@ fn force<S: Simd>(pairs: &Pairs, moving: &[Moving], cluster: usize) -> [S; 6] {
     for entry in pairs.entries(cluster) {
         let other = &moving[entry.neighbour];
         let ((x, cubed), gw) = offset_and_gradient(own.place, &entry);
-        let d = [0, 1].map(|i| own.position[i] - S::splat(other.position[i]));
-        let v = [0, 1].map(|i| own.velocity[i] - S::splat(other.velocity[i]));
+        let d = minus(own.position, other.position);
+        let v = minus(own.velocity, other.velocity);
         let mean = own.mean(&entry);
         let along = v[0].mul_add(d[0], v[1] * d[1]);
         let edge = own.edge.max(S::splat(entry.fixed.edge));
@@ -184,9 +234,8 @@ fn force<S: Simd>(pairs: &Pairs, moving: &[Moving], cluster: usize) -> [S; 6] {
         let approach = alpha * length * (cubed * mean) * along;
         let stiffness = S::load_single(entry.value) * S::splat(entry.fixed.area[1]) * mean;
         for i in 0..2 {
-            let q = [0, 1].map(|j| own.flux[2 * i + j] + S::splat(other.flux[i][j]));
-            let f = [0, 1]
-                .map(|j| own.half_deformation[2 * i + j] + S::splat(other.half_deformation[i][j]));
+            let q = plus(&own.flux, i, &other.flux);
+            let f = plus(&own.half_deformation, i, &other.half_deformation);
             stress[i] = q[0].mul_add(gw[0], q[1].mul_add(gw[1], stress[i]));
             viscous[i] = approach.mul_add(d[i], viscous[i]);
             let linear = f[0].mul_add(x[0], f[1].mul_add(x[1], -d[i]));
