@@ -1,5 +1,6 @@
 //! The front of Erode: case files, runs, reports.
 
+pub mod bench;
 pub mod case;
 pub mod erosion;
 pub mod materials;

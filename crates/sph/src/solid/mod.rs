@@ -15,14 +15,18 @@ mod force;
 mod images;
 mod indenter;
 mod mat2;
+mod pairs;
+mod points;
 mod quasi_static;
 mod reference;
 mod renewal;
 mod resolution;
+mod return_in_lanes;
 mod search;
 mod state;
 mod step;
 mod stress;
+mod sums;
 mod surface;
 pub mod updated;
 
@@ -224,6 +228,18 @@ impl Solid {
     #[must_use]
     pub fn surface_mut(&mut self, side: Side) -> Option<&mut Surface> {
         self.surfaces.iter_mut().find(|s| s.side == side)
+    }
+
+    fn check_free_faces(&self) -> Result<(), SolidError> {
+        for surface in self.surfaces.iter().filter(|s| s.face == Face::Free) {
+            if let Some(&pressure) = surface.pressure.iter().find(|p| **p != 0.0) {
+                return Err(SolidError::PressureOnFreeFace {
+                    side: surface.side,
+                    pressure,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// Moves the surface points to the present positions and velocities; takes particles out of the neighbour sums that the
