@@ -128,9 +128,9 @@ impl Task for Search<'_> {
 fn within_reach<S: Simd>(own: &Points, other: &Points) -> u8 {
     let [x, y, reach] = other.each_ref().map(S::load);
     let mut bits = 0;
-    for i in 0..LANES {
-        let (dx, dy) = (x - S::splat(own[0][i]), y - S::splat(own[1][i]));
-        let r = reach + S::splat(own[2][i]);
+    for ((&own_x, &own_y), &own_reach) in own[0].iter().zip(&own[1]).zip(&own[2]) {
+        let (dx, dy) = (x - S::splat(own_x), y - S::splat(own_y));
+        let r = reach + S::splat(own_reach);
         bits |= S::bits(dx.mul_add(dx, dy * dy).lt(r * r));
     }
     bits
