@@ -49,7 +49,7 @@ fn block(geometry: Geometry, inner: f64, n: usize, dx: f64) -> Fluid {
 
 fn sweep_of(fluid: &Fluid) -> Sweep {
     let walls: Vec<&dyn Wall> = fluid.sides.iter().map(|p| p as &dyn Wall).collect();
-    Sweep::find(&mut fluid.clone(), &walls, 0.0)
+    Sweep::find(&mut fluid.clone(), &walls, 0.0, &mut Phases::default())
 }
 
 fn forces_in(fluid: &Fluid, outside: f64, s: &Settings) -> Vec<Forces> {
