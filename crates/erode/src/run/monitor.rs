@@ -59,6 +59,9 @@ pub(crate) struct Record {
     pub max_indenter_force: f64,
     /// Steps limited by each criterion.
     pub limiters: BTreeMap<String, u64>,
+    /// Seconds of computing in each part of the run, before a resume.
+    #[serde(default)]
+    pub seconds: BTreeMap<String, f64>,
     /// Seconds of computing before a resume.
     pub wall_time: f64,
 }
