@@ -1,5 +1,6 @@
 //! The front of Erode: case files, runs, reports.
 
+pub mod analysis;
 pub mod case;
 pub mod erosion;
 pub mod materials;
@@ -7,4 +8,5 @@ pub mod output;
 pub mod report;
 pub mod reproduce;
 pub mod run;
+pub mod sweep;
 pub mod validate;

@@ -4,7 +4,7 @@ use super::course::Course;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
-use super::{RunError, loads, results, state, watch};
+use super::{RunError, impact, loads, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{
     Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
@@ -244,7 +244,14 @@ impl Course for Run {
         let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
         let threads = rayon::current_num_threads();
         let (world, simulation) = (&self.world, &self.simulation);
-        let summary = results::summary(world, simulation, &self.record, wall_time, threads);
+        let mut summary = results::summary(world, simulation, &self.record, wall_time, threads);
+        impact::add(
+            &mut summary,
+            world,
+            simulation,
+            &self.record,
+            self.files.paths(),
+        );
         let words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
             world.step,

@@ -1,0 +1,157 @@
+//! The shock front: where the spherical shock of the collapse meets the wall, how it runs outwards, how fast.
+//!
+//! Joshi 2018, section 6.4.4.2: the pressure along the wall is largest where the primary and the reflected wave cross.
+//! A sphere that grows at c from the height a above the wall meets it at r^2 + a^2 = (c t)^2 (6.19, z = 0), so that
+//! dr/dt = c sqrt(1 + (a/r)^2) (6.20). SI units; r > 0.
+
+use super::WallPressure;
+
+/// The front passes a radius when the pressure there rises through this part of its largest value: the steepest place,
+/// which rounding of the peak moves least.
+const PASSING: f64 = 0.5;
+
+/// The front at one radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Front {
+    /// Distance from the axis, m.
+    pub radius: f64,
+    /// When it passes, s.
+    pub time: f64,
+    /// Largest pressure there, Pa.
+    pub pressure: f64,
+    /// Speed along the wall, m/s; NaN where the front does not run outwards.
+    pub speed: f64,
+}
+
+/// Speed of the front along the wall (6.20), m/s: `c` speed of the sphere, `height` of its centre, `radius` from the axis.
+#[must_use]
+pub fn front_speed(c: f64, height: f64, radius: f64) -> f64 {
+    c * 1.0_f64.hypot(height / radius)
+}
+
+/// Distance of the front from the axis (6.19), m, `time` after the sphere was a point; NaN before it reaches the wall.
+#[must_use]
+pub fn front_position(c: f64, height: f64, time: f64) -> f64 {
+    ((c * time).powi(2) - height * height).sqrt()
+}
+
+/// The front at every radius where the pressure exceeds `least`, Pa: how far it is followed before it is lost in what
+/// else acts on the wall. The speed is the inverse slope of a straight line through `2 reach + 1` neighbouring radii.
+#[must_use]
+pub fn front(wall: &WallPressure, least: f64, reach: usize) -> Vec<Front> {
+    let peaks = wall.peaks();
+    let followed = peaks.iter().take_while(|[p, _]| *p > least).count();
+    let times: Vec<f64> = (0..followed)
+        .map(|k| passing(&wall.time, &wall.pressure[k], PASSING * peaks[k][0]))
+        .collect();
+    (0..followed)
+        .map(|k| {
+            let (low, high) = (k.saturating_sub(reach), (k + reach + 1).min(followed));
+            let slowness = slope(&wall.radius[low..high], &times[low..high]);
+            Front {
+                radius: wall.radius[k],
+                time: times[k],
+                pressure: peaks[k][0],
+                speed: if slowness > 0.0 {
+                    1.0 / slowness
+                } else {
+                    f64::NAN
+                },
+            }
+        })
+        .collect()
+}
+
+/// The last time before its peak at which the pressure rises through `level`, between rows by a straight line.
+fn passing(time: &[f64], pressure: &[f64], level: f64) -> f64 {
+    let peak = (0..pressure.len())
+        .max_by(|a, b| pressure[*a].total_cmp(&pressure[*b]))
+        .unwrap_or(0);
+    let Some(below) = (0..peak).rev().find(|k| pressure[*k] < level) else {
+        return time.get(peak).copied().unwrap_or(f64::NAN);
+    };
+    let (p0, p1) = (pressure[below], pressure[below + 1]);
+    let (t0, t1) = (time[below], time[below + 1]);
+    t0 + (level - p0) / (p1 - p0) * (t1 - t0)
+}
+
+/// Slope of the straight line of least squares; NaN for fewer than two points.
+fn slope(x: &[f64], y: &[f64]) -> f64 {
+    let n = x.len() as f64;
+    let (mx, my) = (x.iter().sum::<f64>() / n, y.iter().sum::<f64>() / n);
+    let xy: f64 = x.iter().zip(y).map(|(x, y)| (x - mx) * (y - my)).sum();
+    let xx: f64 = x.iter().map(|x| (x - mx) * (x - mx)).sum();
+    xy / xx
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A spherical step that decays behind the front, from a point at `height` at time 0.
+    fn sphere(c: f64, height: f64) -> WallPressure {
+        let radius: Vec<f64> = (0..80).map(|i| (f64::from(i) + 0.5) * 5e-6).collect();
+        let time: Vec<f64> = (0..400).map(|k| f64::from(k) * 1e-9).collect();
+        let rise = 4e-9;
+        let pressure = radius.iter().map(|r| {
+            let d = r.hypot(height);
+            let at = |t: &f64| {
+                let since = t - d / c;
+                // A ramp of a few rows, as a computed shock has, then an exponential fall.
+                let ramp = (0.5 + since / rise).clamp(0.0, 1.0);
+                1e9 * height / d * ramp * (-since.max(0.0) / 50e-9).exp()
+            };
+            time.iter().map(at).collect()
+        });
+        WallPressure {
+            pressure: pressure.collect(),
+            time,
+            radius,
+        }
+    }
+
+    #[test]
+    fn a_spherical_wave_runs_along_the_wall_as_the_equation_says() {
+        let (c, height) = (1500.0, 0.09e-3);
+        let found = front(&sphere(c, height), 1e8, 2);
+        assert_eq!(found.len(), 80);
+        // Straight lines over five radii: the curvature of the path counts on the axis, where the speed has no bound.
+        for f in found.iter().skip(6).take(70) {
+            let exact = front_speed(c, height, f.radius);
+            assert!((f.speed / exact - 1.0).abs() < 0.02, "{f:?}: {exact}");
+        }
+        let far = &found[60];
+        let when = far.radius.hypot(height) / c;
+        assert!((far.time - when).abs() < 1e-9, "{far:?}: {when}");
+        assert!((front_position(c, height, when) / far.radius - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_front_is_followed_only_as_far_as_it_stands_out() {
+        let wall = sphere(1500.0, 0.09e-3);
+        let found = front(&wall, 5e8, 2);
+        let limit = found.last().unwrap().radius;
+        // 1e9 a/d = 5e8 at d = 2 a; the ramp cuts the peak by up to a row and half a rise.
+        let exact = (3.0_f64).sqrt() * 0.09e-3;
+        assert!((limit - exact).abs() < 1.5e-5, "{limit} {exact}");
+        assert!(front(&wall, 2e9, 2).is_empty());
+    }
+
+    #[test]
+    fn an_earlier_weaker_wave_is_not_taken_for_the_front() {
+        let mut wall = sphere(1500.0, 0.09e-3);
+        for p in &mut wall.pressure {
+            p[..20].fill(1.5e8);
+            p[20..30].fill(0.0);
+        }
+        let found = front(&wall, 1e8, 2);
+        assert!(found[10].time > 50e-9, "{:?}", found[10]);
+    }
+
+    #[test]
+    fn far_out_the_front_has_the_speed_of_the_wave() {
+        assert!((front_speed(1500.0, 1e-4, 1e-2) / 1500.0 - 1.0).abs() < 1e-4);
+        assert!((front_speed(1500.0, 3.0, 4.0) - 1875.0).abs() < 1e-9);
+        assert!(front_position(1500.0, 1.0, 1e-5).is_nan());
+    }
+}
