@@ -7,7 +7,7 @@ use crate::sweep::{
     Execution, Outcome, Picture, Planned, Setting, SweepError, Watcher, execute, final_picture,
 };
 use crate::validate::{Failure, Finding};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 /// A run that a reproduction needs. Needs with the same name are the same run, shared between reproductions.
@@ -217,11 +217,6 @@ impl Ran {
     /// Plastic strain at the end, if there is any.
     pub(super) fn picture(&self, title: &str) -> Option<Picture> {
         final_picture(self.paths.root(), title, 370.0)
-    }
-
-    /// The folder of the run.
-    pub(super) fn folder(&self) -> &Path {
-        self.paths.root()
     }
 
     fn failed(&self, e: &dyn std::fmt::Display) -> Failure {

@@ -63,7 +63,7 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
         ("bubble radius", "m"),
     );
     figure.add("this program", Style::Line, ours.clone());
-    figure.add("Rayleigh", Style::Dashed, exact);
+    figure.add("Rayleigh", Style::Dashed, exact.clone());
     Ok(Finding {
         checks: checks.collect(),
         figures: vec![figure],
