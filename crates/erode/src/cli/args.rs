@@ -255,7 +255,7 @@ pub(crate) struct ReproduceArgs {
     /// Low resolution, for what is made of runs
     #[arg(long)]
     pub(crate) quick: bool,
-    /// Resolution of what is made of runs; 15 in the quick form, 60 in the full one
+    /// Resolution of what is made of runs; 20 in the quick form, 60 in the full one
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..))]
     pub(crate) particles_per_radius: Option<u32>,
     /// Show the runs and their cost, and run nothing

@@ -2,6 +2,7 @@
 
 use super::super::Options;
 use super::super::session::{Judged, Metal, Need, Ran, Session};
+use super::chapter6_wall::YIELDED;
 use super::near_wall::{Collapse, at, note, stated};
 use crate::analysis::front;
 use crate::validate::{Check, Failure, Finding};
@@ -29,7 +30,13 @@ pub(super) fn rate_needs(options: &Options) -> Vec<Need> {
 /// The largest strain lies farther from the axis than two spacings, which tell a place from the axis.
 pub(super) fn off_axis(run: &Ran, metal: &Metal, words: &str) -> Check {
     let quantity = "distance of the largest plastic strain from the axis";
-    let r = run.get("max_plastic_strain_r");
+    // Metal that did not yield has no such place.
+    let yielded = run.get("max_plastic_strain") > YIELDED;
+    let r = if yielded {
+        run.get("max_plastic_strain_r")
+    } else {
+        f64::NAN
+    };
     Check::at_least(quantity, "m", r, 2.0 * metal.spacing, words)
 }
 

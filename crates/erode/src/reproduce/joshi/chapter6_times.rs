@@ -74,15 +74,17 @@ fn of(run: &Ran) -> Result<Vec<Times>, Failure> {
     Ok(found)
 }
 
-/// Entry nearest to a radius.
+/// Entry nearest to a radius; nothing in it is a number where the radius is none.
 fn nearest(times: &[Times], r: f64) -> Times {
+    let none = Times {
+        r,
+        load: f64::NAN,
+        metal: f64::NAN,
+        strain: f64::NAN,
+    };
     let gap = |t: &&Times| (t.r - r).abs();
-    // `of` gives no empty list.
-    times
-        .iter()
-        .min_by(|a, b| gap(a).total_cmp(&gap(b)))
-        .copied()
-        .unwrap_or(times[0])
+    let found = times.iter().min_by(|a, b| gap(a).total_cmp(&gap(b)));
+    found.filter(|_| r.is_finite()).copied().unwrap_or(none)
 }
 
 pub(super) fn detached(session: &Session) -> Result<Judged, Failure> {

