@@ -4,7 +4,7 @@
 //! no penetration, free slip. The force that the ghosts exert on each liquid particle is handed back, equal and
 //! opposite, to the surface as a pressure spread with a kernel along the surface; its sum is kept to rounding.
 
-use crate::fluid::ghosts::{Plane, Wall};
+use crate::fluid::ghosts::{Plane, Shadow, Wall};
 use crate::geometry::{Geometry, Vec2};
 use crate::solid::Surface;
 use rayon::prelude::*;
@@ -59,13 +59,9 @@ impl SurfaceLine {
         let mut pressure = vec![0.0; self.position.len()];
         let pushes: Vec<(usize, Vec<f64>)> = (0..position.len())
             .into_par_iter()
-            .map(|a| {
-                if force[a] == [0.0; 2] {
-                    (0, Vec::new())
-                } else {
-                    self.spread(geometry, position[a], force[a], reach[a])
-                }
-            })
+            .with_min_len(256)
+            .filter(|a| force[*a] != [0.0; 2])
+            .map(|a| self.spread(geometry, position[a], force[a], reach[a]))
             .collect();
         for (first, shares) in pushes {
             for (k, p) in shares.iter().enumerate() {
@@ -153,6 +149,23 @@ impl Wall for SurfaceLine {
 
     fn is_surface(&self) -> bool {
         true
+    }
+
+    fn shadow(&self) -> Option<Shadow> {
+        let (first, last) = (self.position.first()?, self.position.last()?);
+        let cosine = (0..self.position.len() - 1)
+            .map(|i| self.normal(i)[1])
+            .fold(1.0, f64::min);
+        let top = self
+            .position
+            .iter()
+            .fold(f64::NEG_INFINITY, |t, x| t.max(x[1]));
+        // A wall that overhangs casts none.
+        (cosine > 0.0).then_some(Shadow {
+            ends: [first[0], last[0]],
+            top,
+            cosine,
+        })
     }
 }
 

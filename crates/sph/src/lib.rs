@@ -11,6 +11,7 @@ pub mod kernel;
 pub mod neighbours;
 pub mod packing;
 pub mod shapes;
+pub mod simd;
 pub mod solid;
 
 pub mod world;

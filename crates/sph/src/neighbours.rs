@@ -3,7 +3,11 @@
 //! Particles a and b are neighbours when |x_a - x_b| < SUPPORT (h_a + h_b)/2 (1 + skin). Particles are sorted into
 //! one cell grid per factor of two in h; each particle searches every grid with the radius that grid needs.
 
+pub(crate) mod boxes;
+pub(crate) mod clusters;
 mod grid;
+pub(crate) mod order;
+pub(crate) mod pair_sum;
 
 use crate::geometry::Vec2;
 use crate::kernel::SUPPORT;

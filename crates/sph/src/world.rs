@@ -167,6 +167,11 @@ impl World {
     /// # Errors
     /// If a solid particle turns inside out, a stress cannot be returned to the yield surface, or a number is not finite.
     pub fn advance(&mut self, dt: f64) -> Result<(), WorldError> {
+        // Inside the pool of threads parallel loops begin at once; from outside each of them would have to be handed over.
+        rayon::scope(|_| self.advance_all(dt))
+    }
+
+    fn advance_all(&mut self, dt: f64) -> Result<(), WorldError> {
         self.each_solid(|s| {
             s.kick(0.5 * dt);
             s.drift(0.5 * dt);
@@ -180,7 +185,7 @@ impl World {
             s.follow_surfaces();
             Ok(())
         })?;
-        self.push_liquids(&sweeps, dt);
+        self.push_liquids(sweeps, dt);
         self.each_solid(|s| {
             s.accelerations();
             s.kick(0.5 * dt);
@@ -225,7 +230,7 @@ impl World {
     }
 
     /// Forces on the liquids; their push on the solids.
-    fn push_liquids(&mut self, sweeps: &[Sweep], dt: f64) {
+    fn push_liquids(&mut self, sweeps: Vec<Sweep>, dt: f64) {
         if sweeps.is_empty() {
             // Without a liquid the pressures are those that the caller set.
             return;

@@ -16,13 +16,20 @@ use serde::{Deserialize, Serialize};
 pub struct Loads {
     /// A rigid indenter.
     pub indenter: Option<Indenter>,
-    /// Pressures on upper sides; where two act on one body they add up.
+    /// Pressures on tops; where two act on one body they add up.
     pub pressures: Vec<Pressure>,
     /// Damping of the solids.
     pub settling: Option<Settling>,
 }
 
 impl Loads {
+    /// Whether something presses on the top of a body.
+    #[must_use]
+    pub fn presses(&self, body: &str) -> bool {
+        self.indenter.iter().any(|i| i.body == body)
+            || self.pressures.iter().any(|p| p.body == body)
+    }
+
     /// Whether nothing is prescribed.
     #[must_use]
     pub fn is_empty(&self) -> bool {

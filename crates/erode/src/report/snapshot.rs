@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::output::{Collection, RunPaths, Snapshot};
+use crate::output::{Collection, OutputError, RunPaths, Snapshot};
 
 /// An instant for which snapshots were written.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +67,7 @@ const SMOOTHING_OVER_SPACING: f64 = 1.3;
 impl Body {
     fn read(name: &str, path: &std::path::Path) -> Result<Self, String> {
         let snapshot = Snapshot::read(path)
+            .and_then(left)
             .map_err(|e| format!("{e}; this body is missing in the pictures."))?;
         let position: Vec<[f64; 2]> = snapshot.points.iter().map(|p| [p[0], p[1]]).collect();
         let size = sizes(&snapshot).ok_or_else(|| {
@@ -102,6 +103,18 @@ impl Body {
     pub(crate) fn is_solid(&self) -> bool {
         self.field("plastic_strain").is_some()
     }
+}
+
+/// What has not been removed by failure.
+fn left(snapshot: Snapshot) -> Result<Snapshot, OutputError> {
+    let Some(removed) = snapshot.values("removed") else {
+        return Ok(snapshot);
+    };
+    if removed.iter().all(|r| *r == 0.0) {
+        return Ok(snapshot);
+    }
+    let kept: Vec<usize> = (0..removed.len()).filter(|&a| removed[a] == 0.0).collect();
+    snapshot.select(&kept)
 }
 
 fn sizes(snapshot: &Snapshot) -> Option<Vec<f64>> {

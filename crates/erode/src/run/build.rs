@@ -192,16 +192,23 @@ fn solid(
         Side::Rigid => Face::Symmetry,
         Side::Clamped => Face::Clamped,
         Side::NonReflecting { .. } => Face::Absorbing,
-        Side::Free | Side::Interface { .. } => Face::Traction,
+        Side::Free => Face::Free,
+        Side::Interface { .. } => Face::Traction,
     };
     let sides = &body.sides;
+    // A load acts on a side that is free otherwise.
+    let top = if simulation.loads.presses(&body.name) {
+        Face::Traction
+    } else {
+        face(&sides.top)
+    };
     let block = Block {
         lower,
         upper,
         left: face(&sides.left),
         right: face(&sides.right),
         bottom: face(&sides.bottom),
-        top: face(&sides.top),
+        top,
     };
     let material = Material {
         elastic: s.elastic,

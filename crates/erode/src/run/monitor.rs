@@ -429,20 +429,33 @@ pub(crate) fn indenter_force(s: &Solid) -> f64 {
     -s.indenter_force()[1]
 }
 
-/// Depth of the deepest surface point below the mean of the outer third of the surface, m.
+/// Depth of the deepest surface point below the mean of the outer third of the surface, what failed taken out, m.
 fn pit_depth(s: &Solid) -> f64 {
     let Some(surface) = s.surface(Side::Top) else {
         return f64::NAN;
     };
-    let sunk: Vec<f64> = surface
-        .position
-        .iter()
-        .zip(&surface.reference_position)
-        .map(|(x, x0)| x0[1] - x[1])
+    let sunk: Vec<f64> = (0..surface.position.len())
+        .map(|j| {
+            let height = if s.is_removed(surface.particle[j]) {
+                ground(s, surface.reference_position[j][0], surface.width[j])
+            } else {
+                surface.position[j][1]
+            };
+            surface.reference_position[j][1] - height
+        })
         .collect();
     let outer = &sunk[2 * sunk.len() / 3..];
     let rim = outer.iter().sum::<f64>() / outer.len() as f64;
     sunk.iter()
         .map(|d| d - rim)
         .fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Height of what is left in a column of the reference where the surface has failed, m.
+fn ground(s: &Solid, column: f64, width: f64) -> f64 {
+    (0..s.len())
+        .filter(|&a| !s.is_removed(a))
+        .filter(|&a| (s.reference.position[a][0] - column).abs() <= 0.5 * width)
+        .map(|a| s.state.position[a][1] + 0.5 * s.reference.area[a].sqrt())
+        .fold(s.block.lower[1], f64::max)
 }

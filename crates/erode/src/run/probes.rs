@@ -55,12 +55,21 @@ pub(crate) fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
         Body::Solid(s) => mean(
             x,
             &s.state.position,
-            |a| (s.reference.area[a], s.reference.smoothing_length[a]),
+            |a| (area_left(s, a), s.reference.smoothing_length[a]),
             |a| solid_values(s, a),
         )
         .to_vec(),
     };
     std::iter::once(time).chain(values).collect()
+}
+
+/// Area of a particle, m2; zero where it was removed by failure.
+fn area_left(s: &Solid, a: usize) -> f64 {
+    if s.is_removed(a) {
+        0.0
+    } else {
+        s.reference.area[a]
+    }
 }
 
 fn fluid_values(f: &Fluid, a: usize) -> [f64; 4] {

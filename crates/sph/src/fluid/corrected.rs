@@ -2,10 +2,10 @@
 //! inside and plain at a free surface ([`super::momentum`]), Riemann dissipation, shifting that carries mass
 //! ([`super::shifting`]). The order of a step: [`super::step`].
 
-use crate::fluid::Fluid;
-use crate::fluid::shifting;
 use crate::fluid::step::Sweep;
+use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum, shifting};
 use crate::geometry::Vec2;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// Numerical settings of the corrected formulation.
@@ -54,31 +54,46 @@ pub struct Account {
 
 impl Fluid {
     /// Volume of one step; exchange of volume by shifting. Returns the shifting velocities, m/s.
-    pub(crate) fn exchange_volume(&mut self, s: &Settings, sweep: &Sweep, dt: f64) -> Vec<Vec2> {
-        for (a, k) in sweep.kinematics.iter().enumerate() {
-            self.account.dissipation += dt * self.pressure[a] * k.exchange;
-            let relative = k.divergence + k.exchange / self.volume[a];
-            self.volume[a] *= (dt * relative).exp();
-            self.keep_fragments_whole(a);
-        }
-        let shift = shifting::velocities(self, &sweep.kinematics, s);
-        shifting::exchange(self, &sweep.ghosts, &sweep.list, &shift, dt);
+    pub(crate) fn exchange_volume(
+        &mut self,
+        s: &Settings,
+        sweep: &mut Sweep,
+        dt: f64,
+    ) -> Vec<Vec2> {
+        let kinematics = &sweep.kinematics;
+        let work = |a: usize| self.pressure[a] * kinematics[a].exchange;
+        self.account.dissipation += dt * ordered_sum(self.len(), work);
+        let (mass, density) = (&self.mass, self.eos.reference_density);
+        let parted = (self.volume.par_iter_mut().zip(kinematics).enumerate())
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(a, (volume, k))| {
+                *volume *= (dt * (k.divergence + k.exchange / *volume)).exp();
+                let largest = swelling(k.support) * mass[a] / density;
+                let parts = *volume > largest;
+                if parts {
+                    *volume = largest;
+                }
+                u64::from(parts)
+            });
+        self.account.parted += parted.sum::<u64>();
+        let shift: Vec<Vec2> = (self.smoothing_length.par_iter().zip(kinematics))
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(h, k)| shifting::velocity(*h, k, s))
+            .collect();
+        shifting::exchange(self, sweep, &shift, dt);
         shift
     }
+}
 
-    /// Where the liquid has parted it keeps its density at zero pressure: the void opens between the pieces, not in them.
-    /// Inside the liquid a deficit of density stands for bubbles too small to see and is kept up to a limit. Volume
-    /// taken here is at zero pressure: no energy is lost with it.
-    fn keep_fragments_whole(&mut self, a: usize) {
-        let swelling = if self.support[a] < PARTED {
-            1.0
-        } else {
-            LARGEST_SWELLING
-        };
-        let largest = swelling * self.mass[a] / self.eos.reference_density;
-        if self.volume[a] > largest {
-            self.volume[a] = largest;
-            self.account.parted += 1;
-        }
+/// Largest volume in units of that at zero pressure.
+///
+/// Where the liquid has parted it keeps its density at zero pressure: the void opens between the pieces, not in them.
+/// Inside the liquid a deficit of density stands for bubbles too small to see and is kept up to a limit. Volume
+/// taken here is at zero pressure: no energy is lost with it.
+fn swelling(support: f64) -> f64 {
+    if support < PARTED {
+        1.0
+    } else {
+        LARGEST_SWELLING
     }
 }

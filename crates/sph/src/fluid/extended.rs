@@ -1,4 +1,4 @@
-//! Liquid and ghosts side by side, so that sums over neighbours know no boundaries.
+//! Liquid and ghosts side by side, so that sums over neighbours know no boundaries: for the published formulation.
 
 use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
@@ -8,13 +8,11 @@ use crate::geometry::Vec2;
 pub(crate) struct Extended {
     pub(crate) position: Vec<Vec2>,
     pub(crate) velocity: Vec<Vec2>,
-    pub(crate) acceleration: Vec<Vec2>,
     pub(crate) area: Vec<f64>,
     pub(crate) pressure: Vec<f64>,
     pub(crate) density: Vec<f64>,
     pub(crate) sound_speed: Vec<f64>,
     pub(crate) smoothing_length: Vec<f64>,
-    pub(crate) strain_rate: Vec<f64>,
 }
 
 impl Extended {
@@ -30,13 +28,11 @@ impl Extended {
         Self {
             position: ghosts.extend(&fluid.position, |p, x| p.mirror(x)),
             velocity: ghosts.extend(velocity, |p, v| p.mirror_velocity(v)),
-            acceleration: ghosts.extend(&fluid.acceleration, |p, a| p.mirror_direction(a)),
             area: ghosts.extend_even(&area),
             pressure: ghosts.extend_even(&fluid.pressure),
             density: ghosts.extend_even(&density),
             sound_speed: ghosts.extend_even(&sound_speed),
             smoothing_length: ghosts.extend_even(&fluid.smoothing_length),
-            strain_rate: ghosts.extend_even(&fluid.strain_rate),
         }
     }
 
@@ -63,18 +59,4 @@ pub(crate) struct Pair {
     pub(crate) h: f64,
     /// (dW/ddistance)/distance, 1/m4.
     pub(crate) factor: f64,
-}
-
-/// Half-way reconstruction of a difference: what is left of `jump` after the linear part `linear`; zero when they
-/// disagree in sign, never more than the jump.
-#[inline]
-pub(crate) fn limited(jump: f64, linear: f64) -> f64 {
-    let rest = jump - linear;
-    if jump * rest <= 0.0 {
-        0.0
-    } else if rest.abs() < jump.abs() {
-        rest
-    } else {
-        jump
-    }
 }

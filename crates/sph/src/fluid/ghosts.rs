@@ -3,8 +3,9 @@
 //! A ghost has the area and pressure of its source; velocity along the mirror is kept, across it reversed about the
 //! speed of the mirror. In this way the axis, a wall and a moving metal surface need no case of their own in the sums.
 
-use crate::fluid::Fluid;
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::{Geometry, Vec2};
+use rayon::prelude::*;
 
 /// A plane (line) in which particles are mirrored.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,6 +68,31 @@ pub trait Wall: Sync {
     fn is_surface(&self) -> bool {
         false
     }
+
+    /// Where it surely is not, if that can be told at once.
+    fn shadow(&self) -> Option<Shadow> {
+        None
+    }
+}
+
+/// A strip in which a wall is never higher than `top`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shadow {
+    /// Range of the first coordinate, m.
+    pub ends: [f64; 2],
+    /// Largest second coordinate of the wall, m.
+    pub top: f64,
+    /// Cosine of its steepest slope.
+    pub cosine: f64,
+}
+
+impl Shadow {
+    /// Whether the tangent at the foot of `x` is surely farther away than `reach`.
+    #[must_use]
+    pub fn is_clear(&self, x: Vec2, reach: f64) -> bool {
+        let inside = x[0] >= self.ends[0] && x[0] <= self.ends[1];
+        inside && (x[1] - self.top) * self.cosine > reach
+    }
 }
 
 impl Wall for Plane {
@@ -101,35 +127,54 @@ const AXIS_PLANE: Plane = Plane {
 };
 
 impl Ghosts {
-    /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too.
+    /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too. Of each wall, in
+    /// the order of the clusters.
     #[must_use]
     pub fn find(fluid: &Fluid, walls: &[&dyn Wall]) -> Self {
         let mut ghosts = Self::default();
-        let n = fluid.len();
         for (w, wall) in walls.iter().enumerate() {
-            for a in 0..n {
-                let reach = REACH * fluid.smoothing_length[a];
-                if let Some(plane) = wall.plane(fluid.position[a], reach) {
-                    ghosts.push(a, plane, w as u32, wall.is_surface());
-                }
+            let shadow = wall.shadow();
+            let near = |a: usize| {
+                let (x, reach) = (fluid.position[a], REACH * fluid.smoothing_length[a]);
+                let clear = shadow.is_some_and(|s| s.is_clear(x, reach));
+                if clear { None } else { wall.plane(x, reach) }
+            };
+            for (a, plane) in select(fluid, near) {
+                ghosts.push(a, plane, w as u32, wall.is_surface());
             }
         }
         ghosts.mirror_corners(fluid, walls);
         if fluid.geometry == Geometry::Axisymmetric {
-            let (count, position) = (
-                n + ghosts.source.len(),
-                ghosts.extend(&fluid.position, Plane::mirror),
-            );
-            for (a, x) in position.iter().enumerate().take(count) {
-                let h = fluid.smoothing_length[ghosts.particle(n, a)];
-                if x[0] < REACH * h {
-                    let of = a.checked_sub(n);
-                    let wall = of.map_or(AXIS, |k| ghosts.wall[k]);
-                    ghosts.push(a, AXIS_PLANE, wall, of.is_some_and(|k| ghosts.surface[k]));
-                }
-            }
+            ghosts.mirror_axis(fluid);
         }
         ghosts
+    }
+
+    /// Particles and the ghosts so far, mirrored at the axis.
+    fn mirror_axis(&mut self, fluid: &Fluid) {
+        let n = fluid.len();
+        let near = |x: Vec2, h: f64| (x[0] < REACH * h).then_some(AXIS_PLANE);
+        let own = select(fluid, |a| {
+            near(fluid.position[a], fluid.smoothing_length[a])
+        });
+        let walls = self.source.len();
+        let mut images: Vec<Vec2> = Vec::with_capacity(walls);
+        for (&source, plane) in self.source.iter().zip(&self.plane) {
+            let x = match (source as usize).checked_sub(n) {
+                None => fluid.position[source as usize],
+                Some(k) => images[k],
+            };
+            images.push(plane.mirror(x));
+        }
+        for (a, plane) in own {
+            self.push(a, plane, AXIS, false);
+        }
+        for (k, x) in images.into_iter().enumerate() {
+            let h = fluid.smoothing_length[self.particle(n, n + k)];
+            if let Some(plane) = near(x, h) {
+                self.push(n + k, plane, self.wall[k], self.surface[k]);
+            }
+        }
     }
 
     fn push(&mut self, source: usize, plane: Plane, wall: u32, surface: bool) {
@@ -201,4 +246,22 @@ impl Ghosts {
     pub fn extend_even<T: Copy>(&self, real: &[T]) -> Vec<T> {
         self.extend(real, |_, value| value)
     }
+}
+
+/// Particles of which `plane` finds one, in the order of the clusters.
+fn select(fluid: &Fluid, plane: impl Fn(usize) -> Option<Plane> + Sync) -> Vec<(usize, Plane)> {
+    let n = fluid.len();
+    let order = &fluid.clustering.order;
+    let at = |i: usize| {
+        if order.len() == n {
+            order[i] as usize
+        } else {
+            i
+        }
+    };
+    (0..n)
+        .into_par_iter()
+        .with_min_len(PARTICLES_PER_TASK)
+        .filter_map(|i| plane(at(i)).map(|p| (at(i), p)))
+        .collect()
 }

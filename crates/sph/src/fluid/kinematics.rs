@@ -7,14 +7,15 @@
 //! Riemann problem moves between neighbours of unequal pressure; the linear part of the pressure, known from the
 //! acceleration (grad p = -rho a), is taken out first, which makes the first-order smoothing third order.
 
-use crate::fluid::Fluid;
-use crate::fluid::extended::{Extended, limited};
-use crate::fluid::moments::{Sym2, apply, inverse, smaller_eigenvalue};
+use crate::fluid::ghosts::{Ghosts, Plane};
+use crate::fluid::moments::{Sym2, apply_lanes, inverse, smaller_eigenvalue};
+use crate::fluid::pair::{Pair, dot, limited, mean_ring};
+use crate::fluid::places::{self, Places};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::{Geometry, Vec2};
-use crate::kernel;
-use crate::neighbours::Neighbours;
+use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::simd::Simd;
 use rayon::prelude::*;
-use std::f64::consts::PI;
 
 /// Sums over the neighbours of one particle that need no other sums.
 #[derive(Debug, Clone, Copy, Default)]
@@ -36,62 +37,187 @@ pub(crate) struct Kinematics {
 /// Strength of the short-range term in the crowding.
 const CLUMPING: f64 = 0.2;
 
+record! {
+    /// What the sums read of a particle.
+    struct Particle {
+        x, y, h, area,
+        /// Velocity, m/s.
+        u, v,
+        /// rho times acceleration, -grad p, Pa/m.
+        push_x, push_y,
+        pressure,
+        /// rho c, kg/(m2 s).
+        impedance,
+    }
+}
+
+record! {
+    /// What comes out.
+    struct Sums {
+        /// Moment matrix, then its inverse.
+        xx, xy, yy,
+        support,
+        /// Velocity gradient, row by row.
+        ux, uy, vx, vy,
+        divergence, exchange,
+        crowding_x, crowding_y,
+    }
+}
+
+/// The law.
+struct Law {
+    rings: bool,
+    mean_ring: [f64; 2],
+    /// 1/shape of the kernel at one spacing, q = 1/SMOOTHING.
+    inverse_shape: f64,
+}
+
+/// Memory of the sums.
+pub(crate) type Memory = places::Sums<Particle, Sums>;
+
 /// Kinematics of every particle.
-pub(crate) fn sweep(fluid: &Fluid, x: &Extended, list: &Neighbours) -> Vec<Kinematics> {
+pub(crate) fn sweep(
+    fluid: &Fluid,
+    ghosts: &Ghosts,
+    places: &Places,
+    memory: &mut Memory,
+    kinematics: &mut Vec<Kinematics>,
+) {
+    let shape = crate::kernel::value(1.0 / super::SMOOTHING, 1.0) / crate::kernel::SCALE;
+    let law = Law {
+        rings: fluid.geometry == Geometry::Axisymmetric,
+        mean_ring: mean_ring(fluid.geometry),
+        inverse_shape: 1.0 / shape,
+    };
+    places.sum(&law, ghosts, |a| particle(fluid, a), image, memory);
     (0..fluid.len())
         .into_par_iter()
-        .map(|a| sums_of(a, fluid, x, list))
-        .collect()
+        .with_min_len(PARTICLES_PER_TASK)
+        .map(|a| Kinematics::from(&memory.results[places.place(a)]))
+        .collect_into_vec(kinematics);
 }
 
-fn sums_of(a: usize, fluid: &Fluid, x: &Extended, list: &Neighbours) -> Kinematics {
-    let rings = fluid.geometry == Geometry::Axisymmetric;
-    let va = x.velocity[a];
-    let (mut m, mut g, mut crowding, mut exchange) = ([0.0; 3], [[0.0; 2]; 2], [0.0; 2], 0.0);
-    for &b in list.of(a) {
-        let b = b as usize;
-        let Some(pair) = x.pair(a, b) else { continue };
+fn particle(fluid: &Fluid, a: usize) -> Particle {
+    let ([x, y], [u, v]) = (fluid.position[a], fluid.velocity[a]);
+    let (density, acceleration) = (fluid.density(a), fluid.acceleration[a]);
+    Particle {
+        x,
+        y,
+        h: fluid.smoothing_length[a],
+        area: fluid.area(a),
+        u,
+        v,
+        push_x: density * acceleration[0],
+        push_y: density * acceleration[1],
+        pressure: fluid.pressure[a],
+        impedance: density * fluid.eos.sound_speed_at(density),
+    }
+}
+
+fn image(plane: &Plane, p: Particle) -> Particle {
+    let [x, y] = plane.mirror([p.x, p.y]);
+    let [u, v] = plane.mirror_velocity([p.u, p.v]);
+    let [push_x, push_y] = plane.mirror_direction([p.push_x, p.push_y]);
+    Particle {
+        x,
+        y,
+        u,
+        v,
+        push_x,
+        push_y,
+        ..p
+    }
+}
+
+impl PairSum for Law {
+    type Particle = Particle;
+    type Result = Sums;
+    type Sums<S: Simd> = Sums<S>;
+
+    #[inline(always)]
+    fn zero<S: Simd>() -> Sums<S> {
+        Sums::default().splat()
+    }
+
+    #[inline(always)]
+    fn add<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
+        let impedance = S::splat(0.5) * (a.impedance + b.impedance);
+        let (pair, inverse_impedance) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], impedance);
         let d = pair.separation;
-        let factor = x.area[b] * pair.factor;
-        let gw = [factor * d[0], factor * d[1]];
-        m = [
-            m[0] - d[0] * gw[0],
-            m[1] - d[0] * gw[1],
-            m[2] - d[1] * gw[1],
-        ];
-        for i in 0..2 {
-            let dv = x.velocity[b][i] - va[i];
-            g[i] = [g[i][0] + dv * gw[0], g[i][1] + dv * gw[1]];
-        }
-        let w =
-            kernel::value(pair.distance, pair.h) / kernel::value(pair.h / super::SMOOTHING, pair.h);
-        let clump = 1.0 + CLUMPING * w * w * w * w;
-        crowding = [crowding[0] + clump * gw[0], crowding[1] + clump * gw[1]];
-        let ring = if rings {
-            PI * (x.position[a][0] + x.position[b][0]).abs()
-        } else {
-            1.0
-        };
-        exchange -= ring * x.area[a] * factor * pair.distance * pressure_jump(x, a, b, d);
+        let factor = b.area * pair.gradient_factor();
+        let g = d.map(|d| factor * d);
+        sums.xx = (-d[0]).mul_add(g[0], sums.xx);
+        sums.xy = (-d[0]).mul_add(g[1], sums.xy);
+        sums.yy = (-d[1]).mul_add(g[1], sums.yy);
+        let (du, dv) = (b.u - a.u, b.v - a.v);
+        sums.ux = du.mul_add(g[0], sums.ux);
+        sums.uy = du.mul_add(g[1], sums.uy);
+        sums.vx = dv.mul_add(g[0], sums.vx);
+        sums.vy = dv.mul_add(g[1], sums.vy);
+        let near = self.nearness(pair.q);
+        sums.crowding_x = near.mul_add(g[0], sums.crowding_x);
+        sums.crowding_y = near.mul_add(g[1], sums.crowding_y);
+        let ring = (a.x + b.x)
+            .abs()
+            .mul_add(S::splat(self.mean_ring[0]), S::splat(self.mean_ring[1]));
+        let speed = pressure_jump(a, b, d) * inverse_impedance;
+        sums.exchange = (-ring * factor * pair.distance).mul_add(speed, sums.exchange);
     }
-    let correction = inverse(m);
-    let gradient = [apply(correction, g[0]), apply(correction, g[1])];
-    let hoop = if rings { va[0] / x.position[a][0] } else { 0.0 };
-    Kinematics {
-        correction,
-        support: smaller_eigenvalue(m),
-        gradient,
-        divergence: gradient[0][0] + gradient[1][1] + hoop,
-        exchange,
-        crowding,
+
+    #[inline(always)]
+    fn add_divided<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
+        self.add(sums, a, b);
+    }
+
+    #[inline(always)]
+    fn finish<S: Simd>(&self, s: Sums<S>, a: &Particle<S>) -> Sums<S> {
+        let moments = [s.xx, s.xy, s.yy];
+        let correction = inverse(moments);
+        let [ux, uy] = apply_lanes(correction, [s.ux, s.uy]);
+        let [vx, vy] = apply_lanes(correction, [s.vx, s.vy]);
+        let plane = ux + vy;
+        Sums {
+            xx: correction[0],
+            xy: correction[1],
+            yy: correction[2],
+            support: smaller_eigenvalue(moments),
+            ux,
+            uy,
+            vx,
+            vy,
+            divergence: if self.rings { plane + a.u / a.x } else { plane },
+            exchange: s.exchange * a.area,
+            ..s
+        }
     }
 }
 
-/// (p_a - p_b - linear part)/(rho c), m/s; exactly antisymmetric.
-#[inline]
-fn pressure_jump(x: &Extended, a: usize, b: usize, d: Vec2) -> f64 {
-    let slope =
-        |k: usize| x.density[k] * (x.acceleration[k][0] * d[0] + x.acceleration[k][1] * d[1]);
-    let jump = limited(x.pressure[a] - x.pressure[b], -0.5 * (slope(a) + slope(b)));
-    jump / (0.5 * (x.density[a] * x.sound_speed[a] + x.density[b] * x.sound_speed[b]))
+impl Law {
+    /// 1 + 0.2 (W/W(dx))^4.
+    #[inline(always)]
+    fn nearness<S: Simd>(&self, q: S) -> S {
+        let w = crate::kernel::shape(q) * S::splat(self.inverse_shape);
+        let square = w * w;
+        (square * square).mul_add(S::splat(CLUMPING), S::splat(1.0))
+    }
+}
+
+/// p_a - p_b - linear part, Pa; exactly antisymmetric.
+#[inline(always)]
+fn pressure_jump<S: Simd>(a: &Particle<S>, b: &Particle<S>, d: [S; 2]) -> S {
+    let slope = dot([a.push_x, a.push_y], d) + dot([b.push_x, b.push_y], d);
+    limited(a.pressure - b.pressure, S::splat(-0.5) * slope)
+}
+
+impl From<&Sums> for Kinematics {
+    fn from(s: &Sums) -> Self {
+        Self {
+            correction: [s.xx, s.xy, s.yy],
+            support: s.support,
+            gradient: [[s.ux, s.uy], [s.vx, s.vy]],
+            divergence: s.divergence,
+            exchange: s.exchange,
+            crowding: [s.crowding_x, s.crowding_y],
+        }
+    }
 }

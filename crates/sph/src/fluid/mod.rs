@@ -12,6 +12,8 @@ pub mod joshi;
 mod kinematics;
 mod moments;
 mod momentum;
+mod pair;
+mod places;
 mod shifting;
 pub(crate) mod step;
 
@@ -20,6 +22,8 @@ use corrected::Account;
 use erode_physics::eos::Tait;
 use far_field::FarField;
 use ghosts::{Plane, Wall};
+pub use places::Clustering;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// h = SMOOTHING * sqrt(A): the best of 1.15, 1.3 and 1.5 for bubble collapse.
@@ -63,8 +67,12 @@ pub struct Fluid {
     pub(crate) side_depth: Vec<f64>,
     /// What the particles do to each other.
     pub formulation: Formulation,
+    /// Which particles are summed side by side.
+    pub clustering: Clustering,
     /// Energy that came and went, and what was counted, since the start.
     pub account: Account,
+    /// Memory for the next step.
+    sweep: step::Sweep,
 }
 
 /// Discrete form of the liquid.
@@ -123,7 +131,9 @@ impl Fluid {
             far_field: vec![FarField::NONE; n],
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
+            clustering: Clustering::of(n),
             account: Account::default(),
+            sweep: step::Sweep::default(),
         }
     }
 
@@ -164,83 +174,141 @@ impl Fluid {
 
     /// Pressure from density, tension removed.
     pub(crate) fn update_pressure(&mut self) {
-        for a in 0..self.len() {
-            let pressure = self.eos.pressure(self.density(a));
-            self.account.cavitating += u64::from(pressure < 0.0);
-            self.pressure[a] = pressure.max(0.0);
-        }
+        let eos = self.eos;
+        let cavitating = (self.pressure.par_iter_mut())
+            .zip(self.mass.par_iter().zip(&self.volume))
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(p, (mass, volume))| {
+                let pressure = eos.pressure(mass / volume);
+                *p = pressure.max(0.0);
+                u64::from(pressure < 0.0)
+            });
+        self.account.cavitating += cavitating.sum::<u64>();
     }
 
     /// Smoothing length from area.
     pub(crate) fn update_smoothing_length(&mut self) {
-        for a in 0..self.len() {
-            let h0 = self.initial_smoothing_length[a];
+        let mut new = std::mem::take(&mut self.smoothing_length);
+        (new.par_iter_mut()
+            .zip(&self.initial_smoothing_length)
+            .enumerate())
+        .with_min_len(PARTICLES_PER_TASK)
+        .for_each(|(a, (new, h0))| {
             let h = SMOOTHING * self.area(a).sqrt();
-            self.smoothing_length[a] = h.clamp(SMOOTHING_RANGE.0 * h0, SMOOTHING_RANGE.1 * h0);
-        }
+            *new = h.clamp(SMOOTHING_RANGE.0 * h0, SMOOTHING_RANGE.1 * h0);
+        });
+        self.smoothing_length = new;
     }
 
     /// v += dt a.
     pub(crate) fn kick(&mut self, dt: f64) {
-        for (v, a) in self.velocity.iter_mut().zip(&self.acceleration) {
-            v[0] += dt * a[0];
-            v[1] += dt * a[1];
-        }
+        (self.velocity.par_iter_mut().zip(&self.acceleration))
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|(v, a)| {
+                v[0] += dt * a[0];
+                v[1] += dt * a[1];
+            });
     }
 
     /// x += dt v; a particle that would cross the axis or a wall is mirrored back and counted.
     pub(crate) fn drift(&mut self, dt: f64, walls: &[&dyn Wall]) {
-        for a in 0..self.len() {
-            let (x, v) = (&mut self.position[a], &mut self.velocity[a]);
-            *x = [x[0] + dt * v[0], x[1] + dt * v[1]];
-            if self.geometry == Geometry::Axisymmetric && x[0] <= 0.0 {
-                *x = [-x[0], x[1]];
-                *v = [-v[0], v[1]];
-                self.account.axis_crossings += 1;
-            }
-            for wall in walls {
-                if let Some(plane) = wall.plane(*x, 0.0) {
-                    *x = plane.mirror(*x);
-                    *v = plane.mirror_velocity(*v);
-                    self.account.wall_crossings += 1;
+        let axis = self.geometry == Geometry::Axisymmetric;
+        let walls: Vec<_> = walls.iter().map(|w| (*w, w.shadow())).collect();
+        let crossings = (self.position.par_iter_mut().zip(&mut self.velocity))
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(x, v)| {
+                let mut crossings = [0, 0];
+                *x = [x[0] + dt * v[0], x[1] + dt * v[1]];
+                if axis && x[0] <= 0.0 {
+                    *x = [-x[0], x[1]];
+                    *v = [-v[0], v[1]];
+                    crossings[0] += 1;
                 }
-            }
-        }
+                for (wall, shadow) in &walls {
+                    if shadow.is_some_and(|s| s.is_clear(*x, 0.0)) {
+                        continue;
+                    }
+                    if let Some(plane) = wall.plane(*x, 0.0) {
+                        *x = plane.mirror(*x);
+                        *v = plane.mirror_velocity(*v);
+                        crossings[1] += 1;
+                    }
+                }
+                crossings
+            })
+            .reduce(|| [0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+        self.account.axis_crossings += crossings[0];
+        self.account.wall_crossings += crossings[1];
     }
 
     /// Largest stable time step (s) and the particle that sets it: safety * h/(c + |v|).
     #[must_use]
     pub fn stable_time_step(&self, safety: f64) -> (f64, usize) {
-        let mut best = (f64::INFINITY, 0);
-        for a in 0..self.len() {
+        let of = |a: usize| {
             let c = self.eos.sound_speed_at(self.density(a));
             let v = self.velocity[a];
-            let dt = safety * self.smoothing_length[a] / (c + v[0].hypot(v[1]));
-            if dt < best.0 {
-                best = (dt, a);
+            let speed = (v[0] * v[0] + v[1] * v[1]).sqrt();
+            (safety * self.smoothing_length[a] / (c + speed), a)
+        };
+        // The first of the smallest, whatever is compared first; steps that are not numbers are found elsewhere.
+        let smaller = |p: (f64, usize), q: (f64, usize)| {
+            if q.0 < p.0 || (q.0 == p.0 && q.1 < p.1) || p.0.is_nan() {
+                q
+            } else {
+                p
             }
-        }
-        best
+        };
+        (0..self.len())
+            .into_par_iter()
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(of)
+            .reduce(|| (f64::INFINITY, 0), smaller)
     }
 
     /// Kinetic energy, J.
     #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
-        (0..self.len())
-            .map(|a| {
-                0.5 * self.mass[a] * (self.velocity[a][0].powi(2) + self.velocity[a][1].powi(2))
-            })
-            .sum()
+        ordered_sum(self.len(), |a| {
+            kinetic_energy(self.mass[a], self.velocity[a])
+        })
     }
 
     /// Energy of compression from zero pressure, J.
     #[must_use]
     pub fn compression_energy(&self) -> f64 {
-        (0..self.len())
-            .map(|a| {
-                let rho = self.density(a).max(self.eos.reference_density);
-                self.mass[a] * self.eos.specific_energy(rho)
-            })
-            .sum()
+        ordered_sum(self.len(), |a| {
+            compression_energy(&self.eos, self.mass[a], self.volume[a])
+        })
     }
+}
+
+fn kinetic_energy(mass: f64, velocity: Vec2) -> f64 {
+    0.5 * mass * (velocity[0] * velocity[0] + velocity[1] * velocity[1])
+}
+
+/// From zero pressure; none below.
+fn compression_energy(eos: &Tait, mass: f64, volume: f64) -> f64 {
+    mass * eos.specific_energy((mass / volume).max(eos.reference_density))
+}
+
+/// Both energies of a particle, J.
+fn energy(eos: &Tait, mass: f64, volume: f64, velocity: Vec2) -> f64 {
+    kinetic_energy(mass, velocity) + compression_energy(eos, mass, volume)
+}
+
+/// Fewest particles that are worth a task of their own.
+pub(crate) const PARTICLES_PER_TASK: usize = 512;
+
+/// Sum over particles 0 to `n`: blocks of fixed size, added in their order, so that it is the same bits for any number of
+/// threads.
+pub(crate) fn ordered_sum(n: usize, of: impl Fn(usize) -> f64 + Sync) -> f64 {
+    let block = |b: usize| -> f64 {
+        let begin = b * PARTICLES_PER_TASK;
+        (begin..n.min(begin + PARTICLES_PER_TASK)).map(&of).sum()
+    };
+    let blocks: Vec<f64> = (0..n.div_ceil(PARTICLES_PER_TASK))
+        .into_par_iter()
+        .map(block)
+        .collect();
+    blocks.iter().sum()
 }

@@ -7,12 +7,16 @@
 //! identity, since the deficit of the plain sum is the condition p = 0 half a spacing outside the first particle. p_x is
 //! the pressure outside a far field, zero elsewhere.
 
-use crate::fluid::Fluid;
-use crate::fluid::extended::{Extended, limited};
+use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::kinematics::Kinematics;
 use crate::fluid::moments::{Sym2, apply};
+use crate::fluid::pair::{Pair, dot, limited};
+use crate::fluid::places;
 use crate::fluid::step::Sweep;
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::Vec2;
+use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::simd::Simd;
 use rayon::prelude::*;
 
 /// Above this eigenvalue of the moment matrix the corrected gradient is used.
@@ -29,53 +33,93 @@ pub(crate) struct Forces {
     pub(crate) wall: Vec2,
 }
 
-/// Forces on every particle; `outside` is the far-field pressure of each, Pa.
-pub(crate) fn sweep(fluid: &Fluid, x: &Extended, outside: &[f64], sweep: &Sweep) -> Vec<Forces> {
-    let gradient: Vec<[Vec2; 2]> = sweep.kinematics.iter().map(|k| k.gradient).collect();
-    let gradient = sweep.ghosts.extend(&gradient, |p, g| p.mirror_tensor(g));
+record! {
+    /// What the forces read of a particle.
+    struct Particle {
+        x, y, h, area,
+        /// Velocity, m/s.
+        u, v,
+        pressure, density, sound_speed,
+        /// Velocity gradient, row by row, 1/s.
+        ux, uy, vx, vy,
+        /// Pressure outside a far field, Pa.
+        outside,
+    }
+}
+
+record! {
+    /// Sums of A_b grad W times pressures, Pa/m.
+    struct Sums {
+        pressure_x, pressure_y,
+        friction_x, friction_y,
+        wall_x, wall_y,
+    }
+}
+
+/// The law.
+struct Law;
+
+/// Memory of the sums.
+pub(crate) type Memory = places::Sums<Particle, Sums>;
+
+/// Forces on every particle with velocities `velocity`; `outside` is the far-field pressure of each, Pa.
+pub(crate) fn sweep(
+    fluid: &Fluid,
+    ghosts: &Ghosts,
+    velocity: &[Vec2],
+    outside: &[f64],
+    sweep: &mut Sweep,
+) -> Vec<Forces> {
+    let (places, kinematics, memory) =
+        (&sweep.places, &sweep.kinematics, &mut sweep.memory.momentum);
+    let of = |a: usize| particle(fluid, velocity[a], &kinematics[a], outside[a], a);
+    places.sum(&Law, ghosts, of, image, memory);
+    let forces = |a: usize| {
+        let correction = correction(&kinematics[a]);
+        memory.results[places.place(a)].forces(correction, fluid.density(a))
+    };
     (0..fluid.len())
         .into_par_iter()
-        .map(|a| forces_on(a, fluid, x, outside[a], &gradient, sweep))
+        .with_min_len(PARTICLES_PER_TASK)
+        .map(forces)
         .collect()
 }
 
-fn forces_on(
-    a: usize,
-    fluid: &Fluid,
-    x: &Extended,
-    outside: f64,
-    gradient: &[[Vec2; 2]],
-    sweep: &Sweep,
-) -> Forces {
-    let (mut pressure, mut friction, mut plain, mut wall) =
-        ([0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
-    for &b in sweep.list.of(a) {
-        let b = b as usize;
-        let Some(pair) = x.pair(a, b) else { continue };
-        let d = pair.separation;
-        let factor = x.area[b] * pair.factor;
-        let q = dissipation(x, gradient, a, b, d, pair.distance);
-        let p = x.pressure[a] + x.pressure[b];
-        let pushes = sweep.ghosts.is_surface(fluid.len(), b);
-        for i in 0..2 {
-            let gw = factor * d[i];
-            pressure[i] += p * gw;
-            friction[i] += q * gw;
-            plain[i] += gw;
-            if pushes {
-                wall[i] += (p + q) * gw;
-            }
-        }
+fn particle(fluid: &Fluid, [u, v]: Vec2, k: &Kinematics, outside: f64, a: usize) -> Particle {
+    let ([x, y], density) = (fluid.position[a], fluid.density(a));
+    let [[ux, uy], [vx, vy]] = k.gradient;
+    Particle {
+        x,
+        y,
+        h: fluid.smoothing_length[a],
+        area: fluid.area(a),
+        u,
+        v,
+        pressure: fluid.pressure[a],
+        density,
+        sound_speed: fluid.eos.sound_speed_at(density),
+        ux,
+        uy,
+        vx,
+        vy,
+        outside,
     }
-    let scale =
-        |v: Vec2, s: f64| apply(correction(&sweep.kinematics[a]), v).map(|c| c * s / x.density[a]);
-    let dissipation = scale(friction, -1.0);
-    let far_field = scale(plain, 2.0 * outside);
-    let inner = scale(pressure, -1.0);
-    Forces {
-        acceleration: [0, 1].map(|i| inner[i] + dissipation[i] + far_field[i]),
-        dissipation,
-        wall: scale(wall, -1.0),
+}
+
+fn image(plane: &Plane, p: Particle) -> Particle {
+    let [x, y] = plane.mirror([p.x, p.y]);
+    let [u, v] = plane.mirror_velocity([p.u, p.v]);
+    let [[ux, uy], [vx, vy]] = plane.mirror_tensor([[p.ux, p.uy], [p.vx, p.vy]]);
+    Particle {
+        x,
+        y,
+        u,
+        v,
+        ux,
+        uy,
+        vx,
+        vy,
+        ..p
     }
 }
 
@@ -87,26 +131,75 @@ fn correction(k: &Kinematics) -> Sym2 {
     }
 }
 
-/// q_ab, Pa.
-#[inline]
-fn dissipation(
-    x: &Extended,
-    gradient: &[[Vec2; 2]],
-    a: usize,
-    b: usize,
-    d: Vec2,
-    distance: f64,
-) -> f64 {
-    let (va, vb) = (x.velocity[a], x.velocity[b]);
-    let jump = -((va[0] - vb[0]) * d[0] + (va[1] - vb[1]) * d[1]) / distance;
-    if jump <= 0.0 {
-        return 0.0;
+impl Sums {
+    fn forces(&self, correction: Sym2, density: f64) -> Forces {
+        let scale = |x: f64, y: f64| apply(correction, [x, y]).map(|c| -c / density);
+        let pressure = scale(self.pressure_x, self.pressure_y);
+        let dissipation = scale(self.friction_x, self.friction_y);
+        Forces {
+            acceleration: [pressure[0] + dissipation[0], pressure[1] + dissipation[1]],
+            dissipation,
+            wall: scale(self.wall_x, self.wall_y),
+        }
     }
-    let (ga, gb) = (&gradient[a], &gradient[b]);
-    let along = |i: usize, j: usize| (ga[i][j] + gb[i][j]) * d[i] * d[j];
-    let linear = -0.5 * (along(0, 0) + along(0, 1) + along(1, 0) + along(1, 1)) / distance;
+}
+
+impl PairSum for Law {
+    type Particle = Particle;
+    type Result = Sums;
+    type Sums<S: Simd> = Sums<S>;
+
+    #[inline(always)]
+    fn zero<S: Simd>() -> Sums<S> {
+        Sums::default().splat()
+    }
+
+    #[inline(always)]
+    fn add<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
+        add_pair(sums, a, b);
+    }
+
+    /// The image of a particle in the surface of a solid: what it does is done by the solid.
+    #[inline(always)]
+    fn add_divided<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
+        let (g, q) = add_pair(sums, a, b);
+        let all = a.pressure + b.pressure + q;
+        sums.wall_x = all.mul_add(g[0], sums.wall_x);
+        sums.wall_y = all.mul_add(g[1], sums.wall_y);
+    }
+
+    #[inline(always)]
+    fn finish<S: Simd>(&self, sums: Sums<S>, _: &Particle<S>) -> Sums<S> {
+        sums
+    }
+}
+
+/// Adds a pair; returns A_b grad W and q_ab.
+#[inline(always)]
+fn add_pair<S: Simd>(sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) -> ([S; 2], S) {
+    let (pair, _) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], S::splat(1.0));
+    let factor = b.area * pair.gradient_factor();
+    let g = pair.separation.map(|d| factor * d);
+    let q = dissipation(&pair, a, b);
+    let p = a.pressure + b.pressure - S::splat(2.0) * a.outside;
+    sums.pressure_x = p.mul_add(g[0], sums.pressure_x);
+    sums.pressure_y = p.mul_add(g[1], sums.pressure_y);
+    sums.friction_x = q.mul_add(g[0], sums.friction_x);
+    sums.friction_y = q.mul_add(g[1], sums.friction_y);
+    (g, q)
+}
+
+/// q_ab, Pa.
+#[inline(always)]
+fn dissipation<S: Simd>(pair: &Pair<S>, a: &Particle<S>, b: &Particle<S>) -> S {
+    let (zero, half) = (S::splat(0.0), S::splat(0.5));
+    let d = pair.separation;
+    let jump = -dot([a.u - b.u, a.v - b.v], d) * pair.inverse_distance;
+    let along_x = dot([a.ux + b.ux, a.uy + b.uy], d);
+    let along_y = dot([a.vx + b.vx, a.vy + b.vy], d);
+    let linear = -half * dot([along_x, along_y], d) * pair.inverse_distance;
     let u = limited(jump, linear);
-    let c = 0.5 * (x.sound_speed[a] + x.sound_speed[b]);
-    let rho = 0.5 * (x.density[a] + x.density[b]);
-    rho * c * u
+    let c = half * (a.sound_speed + b.sound_speed);
+    let rho = half * (a.density + b.density);
+    S::select(zero.lt(jump), rho * c * u, zero)
 }

@@ -10,16 +10,17 @@
 //! q_ab += 10 |grad v| 2 pi r_ab A_a A_b W 2 (A_b - A_a)/(A_a + A_b). (Without it the pressure along the axis of a jet is noisy by
 //! 20 %, and particles near the axis swell to many times their size.)
 
-use crate::fluid::Fluid;
 use crate::fluid::corrected::Settings;
-use crate::fluid::extended::Extended;
-use crate::fluid::ghosts::Ghosts;
+use crate::fluid::ghosts::Plane;
 use crate::fluid::kinematics::Kinematics;
-use crate::geometry::{Geometry, Vec2};
-use crate::kernel;
-use crate::neighbours::Neighbours;
+use crate::fluid::pair::{Pair, dot, mean_ring};
+use crate::fluid::places::{self, Places};
+use crate::fluid::step::Sweep;
+use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum};
+use crate::geometry::Vec2;
+use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::simd::Simd;
 use rayon::prelude::*;
-use std::f64::consts::PI;
 
 /// Below this eigenvalue of the moment matrix a particle lies at a free surface and is not moved across it.
 const SURFACE: f64 = 0.6;
@@ -30,26 +31,18 @@ const LARGEST_SHARE: f64 = 0.1;
 /// Rate of levelling of areas in units of |grad v|; 3 and 20 serve as well.
 const LEVELLING: f64 = 10.0;
 
-/// Shifting velocities, m/s.
-pub(crate) fn velocities(fluid: &Fluid, kinematics: &[Kinematics], s: &Settings) -> Vec<Vec2> {
-    (0..fluid.len())
-        .into_par_iter()
-        .map(|a| velocity_of(a, fluid, &kinematics[a], s))
-        .collect()
-}
-
-fn velocity_of(a: usize, fluid: &Fluid, k: &Kinematics, s: &Settings) -> Vec2 {
-    let h = fluid.smoothing_length[a];
+/// Shifting velocity of a particle with smoothing length `h`, m/s.
+pub(crate) fn velocity(h: f64, k: &Kinematics, s: &Settings) -> Vec2 {
     let strain = norm(&k.gradient);
     let mut d = [0, 1].map(|i| -s.shifting * h * h * strain * k.crowding[i]);
-    let size = k.crowding[0].hypot(k.crowding[1]);
+    let size = length(k.crowding);
     if k.support < SURFACE && size > 0.0 {
         let n = k.crowding.map(|c| c / size);
         let along = d[0] * n[0] + d[1] * n[1];
         d = [d[0] - along * n[0], d[1] - along * n[1]];
     }
     let limit = s.shifting_limit * h * strain;
-    let speed = d[0].hypot(d[1]);
+    let speed = length(d);
     if speed > limit {
         d.map(|c| c * limit / speed)
     } else {
@@ -57,95 +50,184 @@ fn velocity_of(a: usize, fluid: &Fluid, k: &Kinematics, s: &Settings) -> Vec2 {
     }
 }
 
+fn length(x: Vec2) -> f64 {
+    (x[0] * x[0] + x[1] * x[1]).sqrt()
+}
+
 /// Frobenius norm of a velocity gradient, 1/s.
 pub(crate) fn norm(g: &[Vec2; 2]) -> f64 {
     (g[0][0].powi(2) + g[0][1].powi(2) + g[1][0].powi(2) + g[1][1].powi(2)).sqrt()
 }
 
-/// Moves volume, mass and momentum between neighbours for one step of shifting with velocities `shift`.
-pub(crate) fn exchange(
-    fluid: &mut Fluid,
-    ghosts: &Ghosts,
-    list: &Neighbours,
-    shift: &[Vec2],
+record! {
+    /// What the exchange reads of a particle.
+    struct Particle {
+        x, y, h, area,
+        /// Shifting velocity, m/s.
+        shift_x, shift_y,
+        strain_rate, density,
+        /// Velocity, m/s.
+        u, v,
+        /// Part of what it would give that it may give.
+        share,
+    }
+}
+
+record! {
+    /// What a particle gets in one step.
+    struct Gain {
+        volume, mass, momentum_x, momentum_y,
+        /// Volume that it would give if it may give all, m3 (negative).
+        given,
+    }
+}
+
+/// The law.
+struct Exchange {
+    mean_ring: [f64; 2],
     dt: f64,
-) {
-    let n = fluid.len();
-    let x = Extended::new(fluid, ghosts, &fluid.velocity);
-    let shift = ghosts.extend(shift, |p, d| p.mirror_direction(d));
-    let before = fluid.kinetic_energy() + fluid.compression_energy();
-    // A curved surface mirrors each particle in a plane of its own: images of a pair do not match, mass would leak.
-    let partners = |a: usize| {
-        list.of(a)
-            .iter()
-            .map(|&b| b as usize)
-            .filter(|&b| !ghosts.is_surface(n, b))
+}
+
+/// Memory of the sums.
+pub(crate) type Memory = places::Sums<Particle, Gain>;
+
+/// Moves volume, mass and momentum between neighbours for one step of shifting with velocities `shift`.
+pub(crate) fn exchange(fluid: &mut Fluid, sweep: &mut Sweep, shift: &[Vec2], dt: f64) {
+    let (ghosts, places, memory) = (&sweep.ghosts, &sweep.places, &mut sweep.memory.shifting);
+    let law = Exchange {
+        mean_ring: mean_ring(fluid.geometry),
+        dt,
     };
-    let share: Vec<f64> = (0..n)
-        .into_par_iter()
-        .map(|a| {
-            let given: f64 = partners(a)
-                .map(|b| flow(fluid, &x, &shift, a, b).min(0.0))
-                .sum();
-            (LARGEST_SHARE * fluid.volume[a] / (-dt * given).max(f64::MIN_POSITIVE)).min(1.0)
-        })
-        .collect();
-    fluid.account.limited_exchanges += share.iter().filter(|s| **s < 1.0).count() as u64;
-    let share = ghosts.extend_even(&share);
-    let gains: Vec<Gain> = (0..n)
-        .into_par_iter()
-        .map(|a| {
-            let mut gain = Gain::default();
-            for b in partners(a) {
-                let q = dt * flow(fluid, &x, &shift, a, b);
-                let donor = if q > 0.0 { b } else { a };
-                gain.add(q * share[donor], x.density[donor], x.velocity[donor]);
-            }
-            gain
-        })
-        .collect();
-    for (a, gain) in gains.iter().enumerate() {
-        let m = fluid.mass[a] + gain.mass;
-        fluid.velocity[a] =
-            [0, 1].map(|i| (fluid.mass[a] * fluid.velocity[a][i] + gain.momentum[i]) / m);
-        fluid.mass[a] = m;
-        fluid.volume[a] += gain.volume;
+    places.sum(
+        &law,
+        ghosts,
+        |a| particle(fluid, shift, a, 1.0),
+        image,
+        memory,
+    );
+    let share = |a: usize| {
+        let given = -memory.results[places.place(a)].given;
+        (LARGEST_SHARE * fluid.volume[a] / given.max(f64::MIN_POSITIVE)).min(1.0)
+    };
+    let limited = (0..fluid.len()).filter(|a| share(*a) < 1.0).count();
+    if limited > 0 {
+        let share: Vec<f64> = (0..fluid.len()).map(share).collect();
+        places.sum(
+            &law,
+            ghosts,
+            |a| particle(fluid, shift, a, share[a]),
+            image,
+            memory,
+        );
     }
-    fluid.account.dissipation += before - fluid.kinetic_energy() - fluid.compression_energy();
+    fluid.account.limited_exchanges += limited as u64;
+    fluid.take(&memory.results, places);
 }
 
-/// What a particle gets in one step.
-#[derive(Default)]
-struct Gain {
-    volume: f64,
-    mass: f64,
-    momentum: Vec2,
-}
-
-impl Gain {
-    fn add(&mut self, volume: f64, density: f64, velocity: Vec2) {
-        let mass = volume * density;
-        self.volume += volume;
-        self.mass += mass;
-        self.momentum = [
-            self.momentum[0] + mass * velocity[0],
-            self.momentum[1] + mass * velocity[1],
-        ];
+impl Fluid {
+    /// Volume, mass and velocity with what was gained; kinetic energy lost in the mixing goes to the account.
+    fn take(&mut self, gains: &[Gain], places: &Places) {
+        let eos = self.eos;
+        let loss: Vec<f64> = (self.velocity.par_iter_mut())
+            .zip(&mut self.mass)
+            .zip(&mut self.volume)
+            .enumerate()
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(a, ((velocity, mass), volume))| {
+                let gain = &gains[places.place(a)];
+                let before = super::energy(&eos, *mass, *volume, *velocity);
+                let m = *mass + gain.mass;
+                let momentum = [gain.momentum_x, gain.momentum_y];
+                *velocity = [0, 1].map(|i| (*mass * velocity[i] + momentum[i]) / m);
+                *mass = m;
+                *volume += gain.volume;
+                before - super::energy(&eos, *mass, *volume, *velocity)
+            })
+            .collect();
+        self.account.dissipation += ordered_sum(loss.len(), |a| loss[a]);
     }
 }
 
-/// Volume rate (m3/s) from b to a; exactly antisymmetric.
-fn flow(fluid: &Fluid, x: &Extended, shift: &[Vec2], a: usize, b: usize) -> f64 {
-    let Some(pair) = x.pair(a, b) else { return 0.0 };
-    let ring = match fluid.geometry {
-        Geometry::Plane => 1.0,
-        Geometry::Axisymmetric => PI * (x.position[a][0] + x.position[b][0]).abs(),
-    };
-    let d = pair.separation;
-    let along = (shift[a][0] + shift[b][0]) * d[0] + (shift[a][1] + shift[b][1]) * d[1];
-    let (aa, ab) = (x.area[a], x.area[b]);
-    let strain = 0.5 * (x.strain_rate[a] + x.strain_rate[b]);
-    let levelling =
-        LEVELLING * strain * kernel::value(pair.distance, pair.h) * 2.0 * (ab - aa) / (aa + ab);
-    ring * aa * ab * (along * pair.factor + levelling)
+fn particle(fluid: &Fluid, shift: &[Vec2], a: usize, share: f64) -> Particle {
+    let ([x, y], [u, v], [shift_x, shift_y]) = (fluid.position[a], fluid.velocity[a], shift[a]);
+    Particle {
+        x,
+        y,
+        h: fluid.smoothing_length[a],
+        area: fluid.area(a),
+        shift_x,
+        shift_y,
+        strain_rate: fluid.strain_rate[a],
+        density: fluid.density(a),
+        u,
+        v,
+        share,
+    }
+}
+
+fn image(plane: &Plane, p: Particle) -> Particle {
+    let [x, y] = plane.mirror([p.x, p.y]);
+    let [u, v] = plane.mirror_velocity([p.u, p.v]);
+    let [shift_x, shift_y] = plane.mirror_direction([p.shift_x, p.shift_y]);
+    Particle {
+        x,
+        y,
+        u,
+        v,
+        shift_x,
+        shift_y,
+        ..p
+    }
+}
+
+impl PairSum for Exchange {
+    type Particle = Particle;
+    type Result = Gain;
+    type Sums<S: Simd> = Gain<S>;
+
+    #[inline(always)]
+    fn zero<S: Simd>() -> Gain<S> {
+        Gain::default().splat()
+    }
+
+    #[inline(always)]
+    fn add<S: Simd>(&self, sums: &mut Gain<S>, a: &Particle<S>, b: &Particle<S>) {
+        let zero = S::splat(0.0);
+        let flow = self.flow(a, b);
+        sums.given = sums.given + flow.min(zero);
+        let from_b = zero.lt(flow);
+        let upwind = |a: S, b: S| S::select(from_b, b, a);
+        let volume = flow * upwind(a.share, b.share);
+        let mass = volume * upwind(a.density, b.density);
+        sums.volume = sums.volume + volume;
+        sums.mass = sums.mass + mass;
+        sums.momentum_x = mass.mul_add(upwind(a.u, b.u), sums.momentum_x);
+        sums.momentum_y = mass.mul_add(upwind(a.v, b.v), sums.momentum_y);
+    }
+
+    /// A curved surface mirrors each particle in a plane of its own: images of a pair do not match, mass would leak.
+    #[inline(always)]
+    fn add_divided<S: Simd>(&self, _: &mut Gain<S>, _: &Particle<S>, _: &Particle<S>) {}
+
+    #[inline(always)]
+    fn finish<S: Simd>(&self, sums: Gain<S>, _: &Particle<S>) -> Gain<S> {
+        sums
+    }
+}
+
+impl Exchange {
+    /// Volume (m3) from b to a; exactly antisymmetric.
+    #[inline(always)]
+    fn flow<S: Simd>(&self, a: &Particle<S>, b: &Particle<S>) -> S {
+        let both = a.area + b.area;
+        let (pair, inverse_both) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], both);
+        let shift = [a.shift_x + b.shift_x, a.shift_y + b.shift_y];
+        let along = dot(shift, pair.separation) * pair.gradient_factor();
+        let strain = (a.strain_rate + b.strain_rate) * S::splat(LEVELLING);
+        let levelling = strain * pair.kernel() * ((b.area - a.area) * inverse_both);
+        let ring = (a.x + b.x)
+            .abs()
+            .mul_add(S::splat(self.mean_ring[0]), S::splat(self.mean_ring[1]));
+        S::splat(self.dt) * (ring * (a.area * b.area)) * (along + levelling)
+    }
 }

@@ -11,18 +11,54 @@ use crate::fluid::extended::Extended;
 use crate::fluid::ghosts::{Ghosts, Wall};
 use crate::fluid::kinematics::{self, Kinematics};
 use crate::fluid::momentum::{self, Forces};
-use crate::fluid::{Fluid, Formulation, joshi};
+use crate::fluid::places::Places;
+use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting};
 use crate::geometry::Vec2;
 use crate::neighbours::Neighbours;
+use rayon::prelude::*;
 
-/// Room for motion in the neighbour list during the second half of a step, in units of the support.
+/// Room for motion in the list of single particles during the second half of a step, in units of the support.
 const SKIN: f64 = 0.1;
 
-/// What the first half of a step hands to the second.
+/// What the first half of a step hands to the second. Kept for the next step for the sake of its memory.
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Sweep {
     pub(crate) ghosts: Ghosts,
+    pub(crate) places: Places,
+    /// Neighbours of single particles, for the published formulation alone.
     pub(crate) list: Neighbours,
     pub(crate) kinematics: Vec<Kinematics>,
+    pub(crate) memory: Memory,
+}
+
+/// Memory of the sums over neighbours.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Memory {
+    kinematics: kinematics::Memory,
+    pub(crate) shifting: shifting::Memory,
+    pub(crate) momentum: momentum::Memory,
+}
+
+impl Sweep {
+    /// Ghosts, neighbours for a step of `dt`, velocity gradients.
+    pub(crate) fn find(fluid: &mut Fluid, walls: &[&dyn Wall], dt: f64) -> Self {
+        fluid.renew_clusters();
+        let mut sweep = std::mem::take(&mut fluid.sweep);
+        sweep.ghosts = Ghosts::find(fluid, walls);
+        sweep.places.find(fluid, &sweep.ghosts, dt);
+        if let Formulation::Joshi(_) = fluid.formulation {
+            let x = Extended::new(fluid, &sweep.ghosts, &fluid.velocity);
+            sweep.list = Neighbours::build(&x.position, &x.smoothing_length, fluid.len(), SKIN);
+        }
+        kinematics::sweep(
+            fluid,
+            &sweep.ghosts,
+            &sweep.places,
+            &mut sweep.memory.kinematics,
+            &mut sweep.kinematics,
+        );
+        sweep
+    }
 }
 
 impl Fluid {
@@ -30,20 +66,13 @@ impl Fluid {
     pub(crate) fn advance_positions(&mut self, walls: &[&dyn Wall], dt: f64) -> Sweep {
         self.kick(0.5 * dt);
         self.drift(0.5 * dt, walls);
-        let ghosts = Ghosts::find(self, walls);
-        let x = Extended::new(self, &ghosts, &self.velocity);
-        let list = Neighbours::build(&x.position, &x.smoothing_length, self.len(), SKIN);
-        let kinematics = kinematics::sweep(self, &x, &list);
-        let sweep = Sweep {
-            ghosts,
-            list,
-            kinematics,
-        };
+        let mut sweep = Sweep::find(self, walls, dt);
         self.keep_kinematics(&sweep.kinematics);
         let extra = match self.formulation {
-            Formulation::Corrected(s) => self.exchange_volume(&s, &sweep, dt),
+            Formulation::Corrected(s) => self.exchange_volume(&s, &mut sweep, dt),
             Formulation::Joshi(s) => {
                 self.advance_far_volume(&sweep.kinematics, dt);
+                let x = Extended::new(self, &sweep.ghosts, &self.velocity);
                 self.smoothing_velocities(&x, &sweep, s.xsph)
             }
         };
@@ -58,29 +87,36 @@ impl Fluid {
     /// of solids, N per particle (whole ring).
     pub(crate) fn push(
         &mut self,
-        sweep: &Sweep,
+        mut sweep: Sweep,
         walls: &[&dyn Wall],
         dt: f64,
         time: f64,
     ) -> Vec<Vec2> {
-        let predicted: Vec<Vec2> = (0..self.len())
-            .map(|a| [0, 1].map(|i| self.velocity[a][i] + 0.5 * dt * self.acceleration[a][i]))
+        let predicted: Vec<Vec2> = (self.velocity.par_iter().zip(&self.acceleration))
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(v, a)| [0, 1].map(|i| v[i] + 0.5 * dt * a[i]))
             .collect();
         let ghosts = sweep.ghosts.refresh(self, walls);
         match self.formulation {
             Formulation::Corrected(_) => self.update_smoothing_length(),
-            Formulation::Joshi(_) => self.sum_density(&ghosts, sweep),
+            Formulation::Joshi(_) => self.sum_density(&ghosts, &sweep),
         }
         self.update_pressure();
-        let x = Extended::new(self, &ghosts, &predicted);
-        let outside: Vec<f64> = (0..self.len())
-            .map(|a| self.far_field[a].pressure_outside(&self.eos, predicted[a], time))
+        let outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(far, v)| far.pressure_outside(&self.eos, *v, time))
             .collect();
         let forces = match self.formulation {
-            Formulation::Corrected(_) => momentum::sweep(self, &x, &outside, sweep),
-            Formulation::Joshi(s) => joshi::forces(self, &x, &outside, sweep, &s),
+            Formulation::Corrected(_) => {
+                momentum::sweep(self, &ghosts, &predicted, &outside, &mut sweep)
+            }
+            Formulation::Joshi(s) => {
+                let x = Extended::new(self, &ghosts, &predicted);
+                joshi::forces(self, &x, &outside, &sweep, &s)
+            }
         };
-        self.book(&forces, &predicted, &outside, sweep, dt);
+        self.book(&forces, &predicted, &outside, &sweep, dt);
+        self.sweep = sweep;
         for (a, f) in self.acceleration.iter_mut().zip(&forces) {
             *a = f.acceleration;
         }
@@ -105,17 +141,25 @@ impl Fluid {
         sweep: &Sweep,
         dt: f64,
     ) {
-        for (a, f) in forces.iter().enumerate() {
-            let v = velocity[a];
-            self.account.dissipation -=
-                dt * self.mass[a] * (f.dissipation[0] * v[0] + f.dissipation[1] * v[1]);
-            let far = &self.far_field[a];
+        let dissipated = |a: usize| {
+            let (f, v) = (&forces[a].dissipation, velocity[a]);
+            self.mass[a] * (f[0] * v[0] + f[1] * v[1])
+        };
+        let leaving = |a: usize| {
+            let (far, v) = (&self.far_field[a], velocity[a]);
+            if !far.is_some() {
+                return 0.0;
+            }
             let half = 0.5 * self.area(a).sqrt();
             let grad = sweep.kinematics[a].gradient;
             let stretch =
                 |i: usize| half * (grad[i][0] * far.normal[0] + grad[i][1] * far.normal[1]);
-            let leaving = far.normal[0] * (v[0] + stretch(0)) + far.normal[1] * (v[1] + stretch(1));
-            self.account.far_field_work -= dt * outside[a] * leaving * far.face_area;
-        }
+            let speed = far.normal[0] * (v[0] + stretch(0)) + far.normal[1] * (v[1] + stretch(1));
+            outside[a] * speed * far.face_area
+        };
+        let dissipation = ordered_sum(self.len(), dissipated);
+        let work = ordered_sum(self.len(), leaving);
+        self.account.dissipation -= dt * dissipation;
+        self.account.far_field_work -= dt * work;
     }
 }

@@ -52,6 +52,17 @@ pub enum SolidError {
         /// Neighbours and mirror images found.
         neighbours: usize,
     },
+    /// Nothing can act on a free face.
+    #[error(
+        "a pressure of {pressure} Pa is set on the {side:?} face, which is free; a face that can be pressed on is a traction \
+         face"
+    )]
+    PressureOnFreeFace {
+        /// The face.
+        side: Side,
+        /// Pressure set, Pa.
+        pressure: f64,
+    },
     /// The reference configuration cannot be renewed.
     #[error(
         "the reference configuration cannot be renewed: {why} ({side:?} face); all faces must be free, without pressure or \

@@ -7,7 +7,8 @@
 //! Total Lagrangian form. The gradients of its former neighbours are corrected anew with what is left, exact for linear
 //! fields: F is evaluated with them and taken over without strain, tau = J sigma kept. Their force uses the same correction,
 //! so that it is the adjoint of the strain: the new surface is free of traction and no energy comes from it. Beside an
-//! open face the images of what is left go on acting and count in the correction of the force.
+//! open face the images of what is left go on acting and count in the correction of the force; the tractions of the points
+//! beside the hole are scaled anew so that each transmits its force in full (else an indenter's ledger misses a fifth).
 //!
 //! What fails: pairs reach over a crack of one row (two rows part a body); pressure on a face point whose particle is
 //! gone acts no more, nor does any pressure on the new surface.
@@ -55,6 +56,7 @@ impl Solid {
             return;
         }
         self.reference.forget(&gone);
+        self.share_out_again();
     }
 
     fn stores_pairs(&self) -> bool {
@@ -77,6 +79,14 @@ impl Solid {
         touched.sort_unstable();
         touched.dedup();
         self.take_over_gradients(&touched);
+        self.share_out_again();
+    }
+
+    /// Tractions act on what is left beneath their points.
+    fn share_out_again(&mut self) {
+        for surface in &mut self.surfaces {
+            surface.share_out_again(self.geometry, &self.block, &self.reference);
+        }
     }
 
     /// New neighbours give another F at the same place: no strain.

@@ -242,7 +242,9 @@ impl Solid {
                     continue;
                 }
                 let a = surface.particle[j];
-                surface.traction[j] = if surface.face == Face::Absorbing {
+                surface.traction[j] = if !surface.holds[j] {
+                    [0.0; 2]
+                } else if surface.face == Face::Absorbing {
                     let (stress, velocity) = (self.state.stress[a], self.state.velocity[a]);
                     absorbing::traction(&self.material, surface, stress, velocity)
                 } else {

@@ -8,8 +8,7 @@
 //! to 1 % (k = 1: 4 % low). The dashpot (c = 0.5) takes the energy of points that arrive; the contact never pulls.
 //! Stability: the penalty's frequency times the step is 0.35 sqrt(k) at Courant number 0.4, and must stay below 2.
 //! Where the material behind a face point has failed the point is gone; the indenter then acts on the particles that it
-//! meets beneath, as on a strip half a spacing above their centres. Points beside it transmit less than their traction: the
-//! ledger then misses up to a fifth of the work.
+//! meets beneath, as on a strip half a spacing above their centres.
 //! Units: SI. Range: the circle is large beside the spacing; no friction, no rotation.
 
 use super::surface::Surface;
@@ -114,13 +113,13 @@ impl Indenter {
 
 impl Surface {
     /// Sets the tractions of contact from the positions and velocities of the points.
-    fn press(&mut self, material: &Material, indenter: &Indenter, removed: &[f64]) {
+    fn press(&mut self, material: &Material, indenter: &Indenter) {
         for j in (0..self.width.len()).filter(|&j| !self.driven[j]) {
             let (x, v) = (self.position[j], self.velocity[j]);
-            self.contact[j] = if removed[self.particle[j]] != 0.0 {
-                [0.0; 2]
-            } else {
+            self.contact[j] = if self.holds[j] {
                 indenter.traction(material, self.width[j], x, v)
+            } else {
+                [0.0; 2]
             };
         }
     }
@@ -158,8 +157,8 @@ impl Solid {
             return;
         };
         let mut covered = vec![false; self.len()];
-        for &a in &surface.particle {
-            covered[a] = true;
+        for (&a, &holds) in surface.particle.iter().zip(&surface.holds) {
+            covered[a] = holds;
         }
         for (a, covered) in covered.into_iter().enumerate() {
             if covered || self.is_removed(a) {
@@ -198,7 +197,7 @@ impl Solid {
         if let Some(indenter) = &self.indenter
             && let Some(surface) = self.surfaces.iter_mut().find(|s| s.side == indenter.side)
         {
-            surface.press(&self.material, indenter, &self.state.removed);
+            surface.press(&self.material, indenter);
         }
     }
 }

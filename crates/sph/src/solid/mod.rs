@@ -226,6 +226,18 @@ impl Solid {
         self.surfaces.iter_mut().find(|s| s.side == side)
     }
 
+    fn check_free_faces(&self) -> Result<(), SolidError> {
+        for surface in self.surfaces.iter().filter(|s| s.face == Face::Free) {
+            if let Some(&pressure) = surface.pressure.iter().find(|p| **p != 0.0) {
+                return Err(SolidError::PressureOnFreeFace {
+                    side: surface.side,
+                    pressure,
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// Moves the surface points to the present positions and velocities; takes particles out of the neighbour sums that the
     /// state counts as removed.
     pub fn follow_surfaces(&mut self) {

@@ -129,7 +129,7 @@ impl Solid {
         };
         for side in Side::ALL {
             match self.block.face(side) {
-                Face::Axis | Face::Symmetry | Face::Traction => {}
+                Face::Axis | Face::Symmetry | Face::Traction | Face::Free => {}
                 face => return bad(side, &format!("it is {face:?}")),
             }
         }

@@ -147,9 +147,11 @@ impl Solid {
     /// Brings deformation and stress to the present positions; `dt` is the time (s) since they were last there.
     ///
     /// # Errors
-    /// If the reference cannot be renewed where that is asked for, a particle is turned inside out or the stress cannot be returned to the yield surface; the particle with
-    /// the smallest index is named. The state is then not usable any more.
+    /// If a pressure is set on a free face, the reference cannot be renewed where that is asked for, a particle is turned
+    /// inside out or the stress cannot be returned to the yield surface; the particle with the smallest index is named. The
+    /// state is then not usable any more.
     pub fn update_stress(&mut self, dt: f64) -> Result<(), SolidError> {
+        self.check_free_faces()?;
         let form = self.numerics.formulation;
         match form {
             Formulation::TotalLagrangian => self.place_images(),

@@ -47,6 +47,8 @@ pub struct Surface {
     pub(super) driven: Vec<bool>,
     pub(super) wall: Vec<Wall>,
     scale: Vec<f64>,
+    /// Whether there is still material beneath a point to act on.
+    pub(super) holds: Vec<bool>,
     point_of_particle: Vec<u32>,
     /// Place of the points in the reference configuration of the particles, m.
     pub(super) anchor: Vec<Vec2>,
@@ -71,6 +73,14 @@ pub(super) struct Wall {
 
 const NO_POINT: u32 = u32::MAX;
 
+/// Whether a face moves a particle that is continued beyond it in this way.
+fn drives(how: Reflection) -> bool {
+    matches!(how, Reflection::Slip | Reflection::Bonded)
+}
+
+/// What tractions can be scaled by.
+const SCALES: std::ops::Range<f64> = 0.2..5.0;
+
 impl Surface {
     pub(super) fn new(
         geometry: Geometry,
@@ -89,7 +99,7 @@ impl Surface {
         });
         let n = particle.len();
         let driven = (particle.iter())
-            .map(|&i| block.reflection(side, reference.position[i]) != Reflection::Open)
+            .map(|&i| drives(block.reflection(side, reference.position[i])))
             .collect();
         let ends = if along == 0 {
             [Side::Left, Side::Right]
@@ -113,13 +123,18 @@ impl Surface {
             traction: vec![[0.0; 2]; n],
             anchor: Vec::new(),
             scale: vec![1.0; n],
+            holds: vec![true; n],
             point_of_particle: vec![NO_POINT; reference.position.len()],
             particle,
         };
         surface.place_strips(geometry, block, reference);
         surface.anchor.clone_from(&surface.reference_position);
-        surface.find_feet(block, reference)?;
-        surface.share_out(geometry, block, reference)?;
+        if surface.face == Face::Free {
+            surface.holds.fill(false);
+        } else {
+            surface.find_feet(block, reference)?;
+            surface.share_out(geometry, block, reference)?;
+        }
         Ok(surface)
     }
 
@@ -156,7 +171,7 @@ impl Surface {
         }
         let at = |j: usize| self.reference_position[j][along];
         for (b, position) in reference.position.iter().enumerate() {
-            if block.reflection(self.side, *position) == Reflection::Open {
+            if !drives(block.reflection(self.side, *position)) {
                 continue;
             }
             let x = position[along];
@@ -179,16 +194,57 @@ impl Surface {
         block: &Block,
         reference: &Reference,
     ) -> Result<(), SolidError> {
-        let (axis, along) = (self.side.normal_axis(), 1 - self.side.normal_axis());
-        let mut share = vec![0.0; self.particle.len()];
-        let opens = |image: &Image| image.steps().any(|s| s.side == self.side && s.is_open());
-        let acts = |i: u32| opens(&reference.open_images[i as usize]);
+        let along = 1 - self.side.normal_axis();
         let mut point = std::mem::take(&mut self.point_of_particle);
-        for image in reference.open_images.iter().filter(|i| opens(i)) {
+        for image in reference.open_images.iter().filter(|i| self.opens(i)) {
             let b = image.source as usize;
             let x = reference.position[b][along];
             point[b] = self.nearest(x, along, &reference.position, false)?;
         }
+        self.point_of_particle = point;
+        let scale = self.scales(geometry, block, reference);
+        for (j, &scale) in scale.iter().enumerate() {
+            if !self.driven[j] && !SCALES.contains(&scale) {
+                return Err(SolidError::UnevenFace {
+                    side: self.side,
+                    position: self.reference_position[j],
+                    share: 1.0 / scale,
+                });
+            }
+        }
+        self.scale = scale;
+        Ok(())
+    }
+
+    /// Sets the scales anew after particles were taken out. A point beneath which too little is left loses its hold: it
+    /// transmits nothing any more.
+    pub(super) fn share_out_again(
+        &mut self,
+        geometry: Geometry,
+        block: &Block,
+        reference: &Reference,
+    ) {
+        if matches!(self.face, Face::Driven(_) | Face::Free) {
+            return;
+        }
+        self.scale = self.scales(geometry, block, reference);
+        for (j, scale) in self.scale.iter_mut().enumerate() {
+            self.holds[j] = SCALES.contains(scale) && !reference.forgotten[self.particle[j]];
+            if !self.holds[j] {
+                *scale = 0.0;
+            }
+        }
+    }
+
+    fn opens(&self, image: &Image) -> bool {
+        image.steps().any(|s| s.side == self.side && s.is_open())
+    }
+
+    /// Area of each point's strip over what its traction acts on; 1 at driven points.
+    fn scales(&self, geometry: Geometry, block: &Block, reference: &Reference) -> Vec<f64> {
+        let axis = self.side.normal_axis();
+        let mut share = vec![0.0; self.particle.len()];
+        let acts = |i: u32| self.opens(&reference.open_images[i as usize]);
         for a in 0..reference.position.len() {
             for p in reference.open_pairs_of(a).iter().filter(|p| acts(p.image)) {
                 let image = reference.open_images[p.image as usize];
@@ -201,25 +257,18 @@ impl Surface {
                     reference.position[b][0]
                 };
                 let ring = geometry.ring(radius);
-                share[point[b] as usize] += 2.0 * reference.area[a] * normal * ring;
+                share[self.point_of_particle[b] as usize] +=
+                    2.0 * reference.area[a] * normal * ring;
             }
         }
-        self.point_of_particle = point;
-        for (j, share) in share.into_iter().enumerate() {
+        let of_point = |j: usize| {
             if self.driven[j] {
-                continue;
+                1.0
+            } else {
+                self.area[j] / share[j]
             }
-            let scale = self.area[j] / share;
-            if !(0.2..5.0).contains(&scale) {
-                return Err(SolidError::UnevenFace {
-                    side: self.side,
-                    position: self.reference_position[j],
-                    share: 1.0 / scale,
-                });
-            }
-            self.scale[j] = scale;
-        }
-        Ok(())
+        };
+        (0..share.len()).map(of_point).collect()
     }
 
     /// Driven or other point nearest to coordinate `x` along the face; `position` are the reference positions of the

@@ -35,7 +35,9 @@ pub(crate) fn johnson_cook() -> Strength {
 /// left, right, bottom, top.
 pub(crate) type Faces = [Face; 4];
 
-pub(crate) const FREE: Faces = [Face::Traction; 4];
+pub(crate) const FREE: Faces = [Face::Free; 4];
+/// Free as long as no pressure is set.
+pub(crate) const OPEN: Faces = [Face::Traction; 4];
 
 fn setup(geometry: Geometry, faces: Faces, size: [f64; 2], strength: Strength) -> Setup {
     let [left, right, bottom, top] = faces;

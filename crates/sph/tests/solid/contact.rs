@@ -168,6 +168,6 @@ fn an_indenter_follows_the_surface_that_failure_leaves() {
         assert!(distance > radius - 0.5 * DX, "{x:?}");
     }
     println!("defect {} of {}", solid.energy_defect(), work.pressure);
-    // Points beside a failed one transmit less than their traction: a fifth of the work is known to be missed.
-    assert!(solid.energy_defect().abs() < 0.25 * work.pressure);
+    // The work is counted at face points, by a spacing from where it acts: 1.2 % were measured.
+    assert!(solid.energy_defect().abs() < 0.03 * work.pressure);
 }

@@ -94,8 +94,8 @@ fn failure_under_pressure_on_an_open_face_costs_some_percent() {
     impact.steps(400);
     let s = &impact.solid;
     let missed = missed(s, mass, 0.0, s.state.work.pressure);
-    // The work of the pressure is counted at face points beside which material has gone; 3 % were measured.
-    assert!(missed.abs() < 0.05, "{missed}");
+    // The work of the pressure is counted at face points beside which material has gone; 2.4 % were measured.
+    assert!(missed.abs() < 0.03, "{missed}");
 }
 
 #[test]

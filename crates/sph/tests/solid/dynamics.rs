@@ -1,6 +1,6 @@
 //! Waves, vibration and reproducibility.
 
-use crate::bodies::{DX, FREE, Faces, build, graded, johnson_cook, lattice};
+use crate::bodies::{DX, Faces, build, graded, johnson_cook, lattice};
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{Axisymmetric, Plane};
 use erode_sph::solid::{Face, Numerics, Setup, Side, Solid};
@@ -119,7 +119,7 @@ fn standing_wave_between_walls_keeps_energy_and_time() {
 }
 
 /// Shape-changing vibration (no rigid motion, which would never decay) over 20 000 steps.
-fn vibrate(setup: Setup) {
+fn vibrate(setup: Setup, tolerance: f64) {
     let mut solid = build(setup);
     let size = solid.block.upper[0];
     let middle = if solid.geometry == Plane { 0.5 } else { 0.0 };
@@ -145,17 +145,25 @@ fn vibrate(setup: Setup) {
     );
     println!("largest {largest}, left {left}, ledger {ledger}");
     assert!(largest < 1.01 && left < 0.5);
-    // The body is 16 coarse particles wide and passes all of its energy through its free faces, where force and strain
-    // are not adjoint: a few percent of the start over dozens of periods.
-    assert!((ledger - 1.0).abs() < 0.07);
+    assert!((ledger - 1.0).abs() < tolerance, "{ledger}");
 }
 
 #[test]
 fn free_faces_the_axis_and_disorder_are_stable() {
-    let around = [Face::Axis, Face::Traction, Face::Symmetry, Face::Traction];
-    for body in [lattice, graded] {
-        vibrate(body(Plane, FREE, [16, 16], Strength::Elastic));
-        vibrate(body(Axisymmetric, around, [16, 16], Strength::Elastic));
+    // At traction faces force and strain are not adjoint: the body is 16 coarse particles wide and passes all of its energy
+    // through them, a few percent of the start over dozens of periods. At free faces the step alone leaves something.
+    for (face, tolerance) in [(Face::Free, 0.01), (Face::Traction, 0.07)] {
+        let around = [Face::Axis, face, Face::Symmetry, face];
+        for body in [lattice, graded] {
+            vibrate(
+                body(Plane, [face; 4], [16, 16], Strength::Elastic),
+                tolerance,
+            );
+            vibrate(
+                body(Axisymmetric, around, [16, 16], Strength::Elastic),
+                tolerance,
+            );
+        }
     }
 }
 

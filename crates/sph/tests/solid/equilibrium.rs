@@ -1,6 +1,6 @@
 //! Balance of forces.
 
-use crate::bodies::{DX, FREE, Faces, Random, build, graded, lattice};
+use crate::bodies::{DX, Faces, OPEN, Random, build, graded, lattice};
 use erode_physics::Sym3;
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{self, Axisymmetric, Plane};
@@ -36,7 +36,7 @@ fn uniform_pressure_is_an_equilibrium() {
     let p = 1e9;
     let scale = p / (7800.0 * DX);
     for (geometry, faces) in [
-        (Plane, FREE),
+        (Plane, OPEN),
         (Plane, WALLED),
         (Axisymmetric, axis(Face::Symmetry, Face::Symmetry)),
         (Axisymmetric, axis(Face::Traction, Face::Symmetry)),
@@ -89,7 +89,7 @@ fn loaded(setup: Setup, width: f64) -> Solid {
 
 #[test]
 fn inner_forces_cancel_and_pressure_enters_whole_in_plane_strain() {
-    let mut solid = loaded(lattice(Plane, FREE, [20, 16], Strength::Elastic), 8.0 * DX);
+    let mut solid = loaded(lattice(Plane, OPEN, [20, 16], Strength::Elastic), 8.0 * DX);
     random_stress(&mut solid);
     solid.accelerations();
     let [found, expected, size] = axial_force(&solid);
@@ -98,7 +98,7 @@ fn inner_forces_cancel_and_pressure_enters_whole_in_plane_strain() {
         "{found} {expected}"
     );
     // A packing without stress: the scales of the surface points make the load exact.
-    let mut solid = loaded(graded(Plane, FREE, [20, 16], Strength::Elastic), 8.0 * DX);
+    let mut solid = loaded(graded(Plane, OPEN, [20, 16], Strength::Elastic), 8.0 * DX);
     solid.accelerations();
     let [found, expected, size] = axial_force(&solid);
     assert!(
@@ -111,7 +111,7 @@ fn inner_forces_cancel_and_pressure_enters_whole_in_plane_strain() {
 fn smooth_shear_under_free_faces_leaves_little_force() {
     // sigma_rz = 4 s sin(pi x/L) z (H - z)/H^2 has no traction on any face. The odd continuation of shear may leave a
     // force of order (h/H)^2, here (1/12)^2 = 0.7 %, of s H.
-    let mut solid = build(graded(Plane, FREE, [20, 16], Strength::Elastic));
+    let mut solid = build(graded(Plane, OPEN, [20, 16], Strength::Elastic));
     let [length, height] = solid.block.upper;
     for (s, x) in solid.state.stress.iter_mut().zip(&solid.reference.position) {
         let across = x[1] * (height - x[1]) / (height * height);

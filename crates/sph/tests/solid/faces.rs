@@ -1,6 +1,6 @@
 //! Driven, clamped and partly driven faces.
 
-use crate::bodies::{DX, FREE, Faces, build, johnson_cook, lattice};
+use crate::bodies::{DX, Faces, OPEN, build, johnson_cook, lattice};
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{Axisymmetric, Plane};
 use erode_sph::solid::{
@@ -307,7 +307,7 @@ fn loads_beside_the_body_or_too_narrow_are_named() {
     assert!(!coarse.is_enough() && coarse.to_string().contains("8 particles"));
     assert!(on(0.0, 10.0 * DX).unwrap().is_enough());
     assert!(
-        build(lattice(Plane, FREE, [20, 20], Strength::Elastic))
+        build(lattice(Plane, OPEN, [20, 20], Strength::Elastic))
             .load_resolution(Side::Top, 10.0 * DX, 5.0 * DX)
             .is_ok_and(|r| r.particles == 10)
     );

@@ -1,6 +1,6 @@
 //! Large strain: stretching, free vibration, a bar that mushrooms, renewal of the reference configuration.
 
-use crate::bodies::{DX, FREE, build, johnson_cook, lattice};
+use crate::bodies::{DX, FREE, Faces, OPEN, build, johnson_cook, lattice};
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{Axisymmetric, Plane};
 use erode_sph::solid::{Face, Side, Solid, SolidError};
@@ -76,8 +76,8 @@ fn a_bar_stretched_by_a_fifth_keeps_its_order() {
 }
 
 /// Stretching and bending mode of a free plane body, strains of 2e-3.
-fn free_body(viscosity: f64, edge_viscosity: f64) -> Solid {
-    let mut setup = lattice(Plane, FREE, [12, 16], Strength::Elastic);
+fn free_body(faces: Faces, viscosity: f64, edge_viscosity: f64) -> Solid {
+    let mut setup = lattice(Plane, faces, [12, 16], Strength::Elastic);
     setup.numerics.viscosity = viscosity;
     setup.numerics.edge_viscosity = edge_viscosity;
     let mut solid = build(setup);
@@ -110,16 +110,17 @@ fn a_free_elastic_body_keeps_its_energy_over_ten_thousand_steps() {
         println!("ledger from {low} to {high}, mechanical energy left {left}");
         (low, high, left)
     };
-    // As it is used most of the vibration has been damped away after a while; images beyond free faces cost some percent
-    // of what there was (`force.rs`).
-    let (low, high, _) = run(free_body(0.2, 1.0));
+    // Force and strain are adjoint to each other: no viscosity is needed and nothing drifts. The ledger oscillates by 0.3 %
+    // with the step (a quarter of it with half the step); 1 to 4 % of the energy sits in the hourglass springs for a while.
+    let (low, high, left) = run(free_body(FREE, 0.0, 0.0));
+    assert!(low > 0.998 && high < 1.004);
+    assert!((left - 1.0).abs() < 0.05, "{left}");
+    // With the usual viscosity most of the vibration is damped away after a while; all of it is in the ledger.
+    let (low, high, _) = run(free_body(FREE, 0.2, 1.0));
+    assert!(low > 0.998 && high < 1.004);
+    // Faces that could be pressed on have images, which cost some percent of what there was (`force.rs`).
+    let (low, high, _) = run(free_body(OPEN, 0.2, 1.0));
     assert!(low > 0.95 && high < 1.02);
-    // Force and strain of a renewed body are adjoint to each other: it needs no viscosity.
-    let mut solid = free_body(0.0, 0.0);
-    solid.renew_reference().unwrap();
-    let (low, high, left) = run(solid);
-    assert!(low > 0.995 && high < 1.005);
-    assert!((left - 1.0).abs() < 0.02, "{left}");
 }
 
 /// A bar of 10 by 40 thrown against a wall.

@@ -53,7 +53,7 @@ fn write_curves(page: &mut Page, data: &RunData) {
     }
     if let Some(plot) = closing {
         let last = data.number("energy_drift").map_or(String::new(), |drift| {
-            format!(" Final value {} %.", significant(100.0 * drift, 2))
+            format!(" Largest value: {} %.", significant(100.0 * drift, 2))
         });
         figures.push((plot.to_svg(), format!("Closing error of the ledger.{last}")));
     }

@@ -61,7 +61,7 @@ const KEY_RESULTS: [(&str, &str); 36] = [
     ("pit_radius", "Pit radius"),
     ("max_indenter_force", "Largest force of the indenter"),
     ("inertia_share", "Kinetic over internal energy at the end"),
-    ("energy_drift", "Energy ledger, closing error"),
+    ("energy_drift", "Energy ledger, largest closing error"),
     ("energy_residual", "… in joules"),
     ("mass_drift", "Mass, closing error"),
     (

@@ -1,7 +1,6 @@
 use super::*;
 use crate::fluid::ghosts::{Plane, Wall};
-use crate::fluid::{Formulation, Start, kinematics};
-use crate::neighbours::Neighbours;
+use crate::fluid::{Formulation, Start};
 use erode_physics::eos::Tait;
 
 const WATER: Tait = Tait {
@@ -49,15 +48,7 @@ fn block(geometry: Geometry, inner: f64, n: usize, dx: f64) -> Fluid {
 
 fn sweep_of(fluid: &Fluid) -> Sweep {
     let walls: Vec<&dyn Wall> = fluid.sides.iter().map(|p| p as &dyn Wall).collect();
-    let ghosts = Ghosts::find(fluid, &walls);
-    let x = Extended::new(fluid, &ghosts, &fluid.velocity);
-    let list = Neighbours::build(&x.position, &x.smoothing_length, fluid.len(), 0.1);
-    let kinematics = kinematics::sweep(fluid, &x, &list);
-    Sweep {
-        ghosts,
-        list,
-        kinematics,
-    }
+    Sweep::find(&mut fluid.clone(), &walls, 0.0)
 }
 
 fn forces_in(fluid: &Fluid, outside: f64, s: &Settings) -> Vec<Forces> {

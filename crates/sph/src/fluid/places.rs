@@ -1,0 +1,209 @@
+//! Where particles and ghosts stand in the clusters of eight.
+//!
+//! Places: particles in the order of their clusters, ghosts of axis and rigid sides, ghosts of surfaces of solids; each of the
+//! three is filled up to a multiple of eight with places that nobody has for a neighbour. The particles themselves stay where
+//! they are in the arrays of the liquid; only the order is renewed.
+
+use crate::fluid::ghosts::{Ghosts, Plane};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
+use crate::geometry::Vec2;
+use crate::neighbours::boxes::{NO_POINTS, Points};
+use crate::neighbours::clusters::ClusterLists;
+use crate::neighbours::order::compact_order;
+use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::simd::LANES;
+use rayon::prelude::*;
+
+/// Lists that have grown to this multiple of their length when the clusters were new call for new ones.
+const STALE: f64 = 1.1;
+
+/// Room in the lists for the change of h and for shifting within a step, in units of h; motion comes on top.
+const ROOM: f64 = 0.05;
+
+/// Which eight particles make a cluster. Results depend on it in the last bits: part of a checkpoint.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Clustering {
+    /// Particles in the order of the clusters.
+    pub order: Vec<u32>,
+    /// Length of all lists when the clusters were new; 0 when they have none yet.
+    pub fresh: usize,
+    /// Whether the next step makes new clusters.
+    pub stale: bool,
+}
+
+impl Clustering {
+    /// Clusters that the first step will make.
+    pub(crate) fn of(n: usize) -> Self {
+        Self {
+            order: (0..n as u32).collect(),
+            fresh: 0,
+            stale: true,
+        }
+    }
+
+    /// New clusters where the old ones no longer lie together.
+    fn renew(&mut self, position: &[Vec2]) {
+        if self.stale || self.order.len() != position.len() {
+            self.order = compact_order(position);
+            self.fresh = 0;
+        }
+    }
+
+    /// Whether the clusters still lie together, from the length of all lists.
+    fn judge(&mut self, entries: usize) {
+        if self.fresh == 0 {
+            self.fresh = entries;
+        }
+        self.stale = entries as f64 > STALE * self.fresh as f64;
+    }
+}
+
+impl Fluid {
+    /// New clusters if those of the last step no longer lie together.
+    pub(crate) fn renew_clusters(&mut self) {
+        self.clustering.renew(&self.position);
+    }
+}
+
+record! {
+    /// What the search reads.
+    struct Point { x, y, reach }
+}
+
+/// Records of all places, and what comes out for the particles, by place.
+#[derive(Debug, Clone)]
+pub(crate) struct Sums<P, R> {
+    records: Vec<P>,
+    /// Results of the last law.
+    pub(crate) results: Vec<R>,
+}
+
+impl<P, R> Default for Sums<P, R> {
+    fn default() -> Self {
+        Self {
+            records: Vec::new(),
+            results: Vec::new(),
+        }
+    }
+}
+
+/// Places and lists of one step. Kept for the next step for the sake of its memory.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Places {
+    order: Vec<u32>,
+    /// Place of each particle.
+    of_particle: Vec<u32>,
+    /// Place of each ghost.
+    of_ghost: Vec<u32>,
+    lists: ClusterLists,
+    total: usize,
+    points: Vec<Point>,
+    groups: Vec<Points>,
+}
+
+impl Places {
+    /// Places and neighbours for the rest of a step of `dt`: pairs that come into the support of the kernel until its end are in
+    /// the lists too.
+    pub(crate) fn find(&mut self, fluid: &mut Fluid, ghosts: &Ghosts, dt: f64) {
+        self.number(&fluid.clustering.order, &ghosts.surface);
+        let mut points = std::mem::take(&mut self.points);
+        self.fill(
+            &mut points,
+            ghosts,
+            |a| {
+                let ([x, y], [u, v]) = (fluid.position[a], fluid.velocity[a]);
+                let way = 0.5 * dt * (u * u + v * v).sqrt();
+                Point {
+                    x,
+                    y,
+                    reach: (1.0 + ROOM) * fluid.smoothing_length[a] + way,
+                }
+            },
+            |plane, p| {
+                let [x, y] = plane.mirror([p.x, p.y]);
+                Point { x, y, ..p }
+            },
+        );
+        (points.as_chunks::<LANES>().0.par_iter())
+            .with_min_len(PARTICLES_PER_TASK / LANES)
+            .map(group)
+            .collect_into_vec(&mut self.groups);
+        self.points = points;
+        let clusters = fluid.len().div_ceil(LANES);
+        let ordinary = ghosts.surface.iter().filter(|s| !**s).count();
+        let divide = (clusters + ordinary.div_ceil(LANES)) * LANES;
+        self.lists.rebuild(&self.groups, clusters, divide);
+        fluid.clustering.judge(self.lists.len());
+    }
+
+    fn number(&mut self, order: &[u32], surface: &[bool]) {
+        self.order.clear();
+        self.order.extend_from_slice(order);
+        self.of_particle.resize(order.len(), 0);
+        for (place, &a) in order.iter().enumerate() {
+            self.of_particle[a as usize] = place as u32;
+        }
+        let ordinary = surface.iter().filter(|s| !**s).count();
+        let mut next = [order.len().next_multiple_of(LANES), 0];
+        next[1] = next[0] + ordinary.next_multiple_of(LANES);
+        self.of_ghost.clear();
+        self.of_ghost.extend(surface.iter().map(|s| {
+            let next = &mut next[usize::from(*s)];
+            *next += 1;
+            (*next - 1) as u32
+        }));
+        self.total = next[1].next_multiple_of(LANES);
+    }
+
+    /// One record per place: `of` a particle, `image` of another record in a plane; anything where nobody stands.
+    fn fill<R: Record>(
+        &self,
+        records: &mut Vec<R>,
+        ghosts: &Ghosts,
+        of: impl Fn(usize) -> R + Sync,
+        image: impl Fn(&Plane, R) -> R,
+    ) {
+        let n = self.order.len();
+        records.resize(self.total, R::default());
+        (records[..n].par_iter_mut().zip(&self.order))
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|(record, a)| *record = of(*a as usize));
+        records[n..].fill(R::default());
+        for (k, place) in self.of_ghost.iter().enumerate() {
+            let source = ghosts.source[k] as usize;
+            let source = match source.checked_sub(n) {
+                None => self.of_particle[source],
+                Some(ghost) => self.of_ghost[ghost],
+            };
+            records[*place as usize] = image(&ghosts.plane[k], records[source as usize]);
+        }
+    }
+
+    /// Sums over the neighbours, with a record `of` each particle and the `image` of a record in a plane; use [`Self::place`] to
+    /// find those of a particle.
+    pub(crate) fn sum<L: PairSum>(
+        &self,
+        law: &L,
+        ghosts: &Ghosts,
+        of: impl Fn(usize) -> L::Particle + Sync,
+        image: impl Fn(&Plane, L::Particle) -> L::Particle,
+        sums: &mut Sums<L::Particle, L::Result>,
+    ) {
+        self.fill(&mut sums.records, ghosts, of, image);
+        self.lists.sum(law, &sums.records, &mut sums.results);
+    }
+
+    /// Place of particle `a`.
+    #[inline]
+    pub(crate) fn place(&self, a: usize) -> usize {
+        self.of_particle[a] as usize
+    }
+}
+
+fn group(eight: &[Point; LANES]) -> Points {
+    let mut points = NO_POINTS;
+    for (i, p) in eight.iter().enumerate().filter(|(_, p)| p.reach > 0.0) {
+        [points[0][i], points[1][i], points[2][i]] = [p.x, p.y, p.reach];
+    }
+    points
+}
