@@ -4,7 +4,7 @@ use super::Reproduced;
 use crate::output::OutputError;
 use crate::output::atomic::write_atomic;
 use crate::report::html::Page;
-use crate::validate::text;
+use crate::validate::{Kind, text};
 use std::path::{Path, PathBuf};
 
 /// Writes `ID.html` and `ID-NAME.svg` into a folder, which is made; the path of the page.
@@ -45,8 +45,15 @@ pub fn write(folder: &Path, reproduced: &Reproduced) -> Result<PathBuf, OutputEr
         .checks
         .iter()
         .map(|c| {
-            let verdict = if c.passed { "met" } else { "not met" };
-            let number = |x: Option<f64>| x.map_or("-".into(), |x| format!("{x:.4e}"));
+            let verdict = match (c.kind, c.passed) {
+                (Kind::Shown, _) => "not judged",
+                (_, true) => "met",
+                (_, false) => "not met",
+            };
+            let number = |x: Option<f64>| match x.filter(|x| !x.is_nan()) {
+                Some(x) => format!("{x:.4e}"),
+                None => "-".into(),
+            };
             vec![
                 c.quantity.clone(),
                 number(Some(c.value)),

@@ -418,7 +418,9 @@ impl Metal {
             plastic_volume: (0..s.len())
                 .filter(yielded)
                 .map(|a| s.reference.volume[a])
-                .sum(),
+                // A sum of nothing is -0 in Rust.
+                .sum::<f64>()
+                + 0.0,
             depth: pit_depth(s),
         }
     }

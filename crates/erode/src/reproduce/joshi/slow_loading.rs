@@ -18,6 +18,8 @@ const SIZE: [f64; 2] = [0.6e-3, 0.6e-3];
 const SPACING: (f64, f64) = (10e-6, 5e-6);
 /// How many times slower: the front then runs at a fortieth of the slowest wave, the block is crossed 80 times.
 const SLOWER: f64 = 20.0;
+/// Rate at which the slow motion is damped, 1/s: within two passages of a wave through the block.
+const DAMPING: f64 = 5e6;
 /// The record begins so long before the front arrives, s.
 const BEFORE: f64 = 20e-9;
 /// The load is taken away at the end of the record in this time of it, s.
@@ -78,6 +80,9 @@ impl Load {
                 top.push(|x| self.at(x[0], time));
             }
             solid.step(duration / steps)?;
+            if slower > 1.0 {
+                solid.damp(DAMPING, duration / steps);
+            }
         }
         Ok(solid)
     }
