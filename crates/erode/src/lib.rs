@@ -1,6 +1,7 @@
 //! The front of Erode: case files, runs, reports.
 
 pub mod analysis;
+pub mod bench;
 pub mod case;
 pub mod erosion;
 pub mod materials;

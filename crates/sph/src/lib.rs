@@ -10,6 +10,7 @@ pub mod interface;
 pub mod kernel;
 pub mod neighbours;
 pub mod packing;
+pub mod phases;
 pub mod shapes;
 pub mod simd;
 pub mod solid;

@@ -6,6 +6,7 @@ use crate::fluid::step::Sweep;
 use crate::geometry::Vec2;
 use crate::interact::{Interaction, between};
 use crate::interface::SurfaceLine;
+use crate::phases::{Phase, Phases};
 use crate::solid::{Side, Solid, SolidError};
 use thiserror::Error;
 
@@ -39,6 +40,8 @@ pub struct World {
     pub step: u64,
     /// Step of a liquid as a fraction of h over wave speed.
     pub safety: f64,
+    /// Where the time of the steps went.
+    pub phases: Phases,
 }
 
 /// What set the time step.
@@ -116,6 +119,7 @@ impl World {
             time: 0.0,
             step: 0,
             safety,
+            phases: Phases::default(),
         })
     }
 
@@ -172,38 +176,48 @@ impl World {
     }
 
     fn advance_all(&mut self, dt: f64) -> Result<(), WorldError> {
-        self.each_solid(|s| {
+        self.phases.start();
+        self.each_solid(|s, clock| {
             s.kick(0.5 * dt);
             s.drift(0.5 * dt);
+            clock.lap(Phase::Integrate);
             s.follow_surfaces();
+            clock.lap(Phase::Boundaries);
             Ok(())
         })?;
         let sweeps = self.move_liquids(dt);
-        self.each_solid(|s| {
+        self.each_solid(|s, clock| {
             s.drift(0.5 * dt);
+            clock.lap(Phase::Integrate);
             s.update_stress(dt)?;
+            clock.lap(Phase::Sweeps);
             s.follow_surfaces();
+            clock.lap(Phase::Boundaries);
             Ok(())
         })?;
         self.push_liquids(sweeps, dt);
-        self.each_solid(|s| {
+        self.each_solid(|s, clock| {
             s.accelerations();
+            clock.lap(Phase::Sweeps);
             s.kick(0.5 * dt);
             s.account(dt);
+            clock.lap(Phase::Integrate);
             Ok(())
         })?;
         self.time += dt;
         self.step += 1;
-        self.check_finite()
+        let finite = self.check_finite();
+        self.phases.lap(Phase::Integrate);
+        finite
     }
 
     fn each_solid(
         &mut self,
-        mut f: impl FnMut(&mut Solid) -> Result<(), SolidError>,
+        mut f: impl FnMut(&mut Solid, &mut Phases) -> Result<(), SolidError>,
     ) -> Result<(), WorldError> {
         for named in &mut self.bodies {
             if let Body::Solid(s) = &mut named.body {
-                f(s).map_err(|source| WorldError::Solid {
+                f(s, &mut self.phases).map_err(|source| WorldError::Solid {
                     body: named.name.clone(),
                     source,
                 })?;
@@ -214,6 +228,7 @@ impl World {
 
     fn move_liquids(&mut self, dt: f64) -> Vec<Sweep> {
         let lines = wetted_lines(&self.bodies);
+        let clock = &mut self.phases;
         let fluids = self.bodies.iter_mut().filter_map(|b| {
             if let Body::Fluid(f) = &mut b.body {
                 Some(f)
@@ -224,7 +239,7 @@ impl World {
         fluids
             .map(|f| {
                 let sides = f.sides.clone();
-                f.advance_positions(&walls(&sides, &lines), dt)
+                f.advance_positions(&walls(&sides, &lines), dt, clock)
             })
             .collect()
     }
@@ -238,7 +253,7 @@ impl World {
         let lines = wetted_lines(&self.bodies);
         let mut pressures: Vec<Vec<f64>> =
             lines.iter().map(|l| vec![0.0; l.position.len()]).collect();
-        let time = self.time + dt;
+        let (time, clock) = (self.time + dt, &mut self.phases);
         let fluids = self.bodies.iter_mut().filter_map(|b| {
             if let Body::Fluid(f) = &mut b.body {
                 Some(f)
@@ -248,12 +263,14 @@ impl World {
         });
         for (f, sweep) in fluids.zip(sweeps) {
             let sides = f.sides.clone();
-            let reaction = f.push(sweep, &walls(&sides, &lines), dt, time);
+            let reaction = f.push(sweep, &walls(&sides, &lines), dt, time, clock);
             f.kick(0.5 * dt);
+            clock.lap(Phase::Integrate);
             for (line, sum) in lines.iter().zip(&mut pressures) {
                 let push = line.pressure(f.geometry, &f.position, &reaction, &f.smoothing_length);
                 sum.iter_mut().zip(push).for_each(|(s, p)| *s += p);
             }
+            clock.lap(Phase::Boundaries);
         }
         let mut pressures = pressures.into_iter();
         for named in &mut self.bodies {

@@ -137,6 +137,18 @@ What is made of runs keeps them in DIR/runs, shared between figures: complete on
     #[command(long_about = "Prints where a run stands, from the status.json of its folder.")]
     #[command(after_long_help = "Example:\n  erode status runs/first")]
     Status(StatusArgs),
+    /// How fast steps are on this machine
+    #[command(
+        long_about = "Measures whole steps of standard workloads with one thread and with two, and prints million \
+                            particle-steps per second, pairs per second, share of the measured peak of the machine, time by \
+                            phase and memory. Without a case, measures the usual ones (about a minute). Other work on the \
+                            machine makes the numbers smaller. How to read them: docs/performance.md."
+    )]
+    #[command(after_long_help = "Examples:
+  erode bench --list
+  erode bench
+  erode bench --case solid-plane --case main-case-60 --json bench.json")]
+    Bench(BenchArgs),
 }
 
 /// `erode new`
@@ -267,6 +279,23 @@ pub(crate) struct ReproduceArgs {
     /// Write the results to a file
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
+}
+
+/// `erode bench`
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    /// Workload to measure; may be given several times
+    #[arg(long = "case", value_name = "NAME")]
+    pub(crate) cases: Vec<String>,
+    /// List the workloads, and nothing else
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// Write the results to a file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+    /// Particles instead of the usual number (per radius in a mixture): for tests
+    #[arg(long, value_name = "N", hide = true, value_parser = clap::value_parser!(u32).range(6..))]
+    pub(crate) particles: Option<u32>,
 }
 
 /// `erode materials`

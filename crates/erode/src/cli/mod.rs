@@ -1,6 +1,7 @@
 //! Commands: what they are called, what they take, where they go.
 
 mod args;
+mod bench;
 mod check;
 mod failure;
 mod format;
@@ -52,5 +53,6 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Validate(args) => validate::run(args),
         Command::Reproduce(args) => reproduce::run(args),
         Command::Status(args) => status::status(args),
+        Command::Bench(args) => bench::run(args),
     }
 }

@@ -15,6 +15,7 @@ use crate::fluid::places::Places;
 use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting};
 use crate::geometry::Vec2;
 use crate::neighbours::Neighbours;
+use crate::phases::{Phase, Phases};
 use rayon::prelude::*;
 
 /// Room for motion in the list of single particles during the second half of a step, in units of the support.
@@ -41,15 +42,23 @@ pub(crate) struct Memory {
 
 impl Sweep {
     /// Ghosts, neighbours for a step of `dt`, velocity gradients.
-    pub(crate) fn find(fluid: &mut Fluid, walls: &[&dyn Wall], dt: f64) -> Self {
+    pub(crate) fn find(
+        fluid: &mut Fluid,
+        walls: &[&dyn Wall],
+        dt: f64,
+        clock: &mut Phases,
+    ) -> Self {
         fluid.renew_clusters();
+        clock.lap(Phase::Sort);
         let mut sweep = std::mem::take(&mut fluid.sweep);
         sweep.ghosts = Ghosts::find(fluid, walls);
+        clock.lap(Phase::Boundaries);
         sweep.places.find(fluid, &sweep.ghosts, dt);
         if let Formulation::Joshi(_) = fluid.formulation {
             let x = Extended::new(fluid, &sweep.ghosts, &fluid.velocity);
             sweep.list = Neighbours::build(&x.position, &x.smoothing_length, fluid.len(), SKIN);
         }
+        clock.lap(Phase::List);
         kinematics::sweep(
             fluid,
             &sweep.ghosts,
@@ -63,10 +72,16 @@ impl Sweep {
 
 impl Fluid {
     /// Steps 1 to 3: positions from t to t + dt; the velocity stays at the middle of the step.
-    pub(crate) fn advance_positions(&mut self, walls: &[&dyn Wall], dt: f64) -> Sweep {
+    pub(crate) fn advance_positions(
+        &mut self,
+        walls: &[&dyn Wall],
+        dt: f64,
+        clock: &mut Phases,
+    ) -> Sweep {
         self.kick(0.5 * dt);
         self.drift(0.5 * dt, walls);
-        let mut sweep = Sweep::find(self, walls, dt);
+        clock.lap(Phase::Integrate);
+        let mut sweep = Sweep::find(self, walls, dt, clock);
         self.keep_kinematics(&sweep.kinematics);
         let extra = match self.formulation {
             Formulation::Corrected(s) => self.exchange_volume(&s, &mut sweep, dt),
@@ -76,10 +91,12 @@ impl Fluid {
                 self.smoothing_velocities(&x, &sweep, s.xsph)
             }
         };
+        clock.lap(Phase::Sweeps);
         for (x, u) in self.position.iter_mut().zip(&extra) {
             *x = [x[0] + dt * u[0], x[1] + dt * u[1]];
         }
         self.drift(0.5 * dt, walls);
+        clock.lap(Phase::Integrate);
         sweep
     }
 
@@ -91,12 +108,14 @@ impl Fluid {
         walls: &[&dyn Wall],
         dt: f64,
         time: f64,
+        clock: &mut Phases,
     ) -> Vec<Vec2> {
         let predicted: Vec<Vec2> = (self.velocity.par_iter().zip(&self.acceleration))
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(v, a)| [0, 1].map(|i| v[i] + 0.5 * dt * a[i]))
             .collect();
         let ghosts = sweep.ghosts.refresh(self, walls);
+        clock.lap(Phase::Boundaries);
         match self.formulation {
             Formulation::Corrected(_) => self.update_smoothing_length(),
             Formulation::Joshi(_) => self.sum_density(&ghosts, &sweep),
@@ -120,6 +139,7 @@ impl Fluid {
         for (a, f) in self.acceleration.iter_mut().zip(&forces) {
             *a = f.acceleration;
         }
+        clock.lap(Phase::Sweeps);
         (forces.iter().zip(&self.mass))
             .map(|(f, m)| f.wall.map(|w| -m * w))
             .collect()

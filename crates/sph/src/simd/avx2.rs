@@ -80,6 +80,51 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn load_single(x: &[f32; LANES]) -> Self {
+        let (low, high) = x.split_at(LANES / 2);
+        // SAFETY: see `Lanes`; four numbers are read from each half of eight, at any alignment.
+        unsafe {
+            Self(
+                _mm256_cvtps_pd(_mm_loadu_ps(low.as_ptr())),
+                _mm256_cvtps_pd(_mm_loadu_ps(high.as_ptr())),
+            )
+        }
+    }
+
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        // SAFETY: see `Lanes`.
+        let half = |x: __m256d| unsafe {
+            let bits = _mm256_castpd_si256(x);
+            let fraction = _mm256_and_si256(bits, _mm256_set1_epi64x((1 << 52) - 1));
+            let one = _mm256_castpd_si256(_mm256_set1_pd(1.0));
+            // The bits of 2^52 + n hold n: a whole number becomes a float.
+            let large = _mm256_set1_pd(f64::from_bits(0x4330_0000_0000_0000));
+            let exponent =
+                _mm256_or_si256(_mm256_srli_epi64::<52>(bits), _mm256_castpd_si256(large));
+            let exponent = _mm256_sub_pd(_mm256_castsi256_pd(exponent), large);
+            (
+                _mm256_castsi256_pd(_mm256_or_si256(fraction, one)),
+                _mm256_sub_pd(exponent, _mm256_set1_pd(1023.0)),
+            )
+        };
+        let (low, high) = (half(self.0), half(self.1));
+        (Self(low.0, high.0), Self(low.1, high.1))
+    }
+
+    #[inline(always)]
+    fn scale(self, power: Self) -> Self {
+        // SAFETY: see `Lanes`.
+        let factor = |p: __m256d| unsafe {
+            // The low bits of 2^52 + n are n.
+            let large = _mm256_set1_pd(f64::from_bits(0x4330_0000_0000_0000) + 1023.0);
+            let bits = _mm256_castpd_si256(_mm256_add_pd(p, large));
+            _mm256_castsi256_pd(_mm256_slli_epi64::<52>(bits))
+        };
+        self * Self(factor(power.0), factor(power.1))
+    }
+
+    #[inline(always)]
     fn store(self) -> [f64; LANES] {
         let mut x = [0.0; LANES];
         let (low, high) = x.split_at_mut(LANES / 2);

@@ -69,6 +69,31 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn load_single(x: &[f32; LANES]) -> Self {
+        // SAFETY: see `Lanes`; eight numbers are read from an array of eight, at any alignment.
+        Self(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(x.as_ptr())) })
+    }
+
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        // SAFETY: see `Lanes`.
+        unsafe {
+            let fraction = _mm512_getmant_pd::<_MM_MANT_NORM_1_2, _MM_MANT_SIGN_SRC>(self.0);
+            (Self(fraction), Self(_mm512_getexp_pd(self.0)))
+        }
+    }
+
+    #[inline(always)]
+    fn scale(self, power: Self) -> Self {
+        // SAFETY: see `Lanes`.
+        let factor = unsafe {
+            let power = _mm512_add_epi64(_mm512_cvtpd_epi64(power.0), _mm512_set1_epi64(1023));
+            _mm512_castsi512_pd(_mm512_slli_epi64::<52>(power))
+        };
+        self * Self(factor)
+    }
+
+    #[inline(always)]
     fn store(self) -> [f64; LANES] {
         let mut x = [0.0; LANES];
         // SAFETY: see `Lanes`; eight numbers are written to an array of eight, at any alignment.

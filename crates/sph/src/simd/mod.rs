@@ -34,6 +34,7 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+pub mod functions;
 mod scalar;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -59,6 +60,15 @@ pub trait Simd:
 
     /// Lanes from memory.
     fn load(x: &[f64; LANES]) -> Self;
+
+    /// Lanes from memory in single precision, which is exact.
+    fn load_single(x: &[f32; LANES]) -> Self;
+
+    /// m in [1, 2) and e of each number m 2^e; meaningless where it is not positive and normal.
+    fn split(self) -> (Self, Self);
+
+    /// `self` times 2^`power`, a whole number in -1022..=1023.
+    fn scale(self, power: Self) -> Self;
 
     /// Lanes to memory.
     fn store(self) -> [f64; LANES];

@@ -69,6 +69,26 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn load_single(x: &[f32; LANES]) -> Self {
+        Self(x.map(f64::from))
+    }
+
+    #[inline(always)]
+    fn split(self) -> (Self, Self) {
+        const FRACTION: u64 = (1 << 52) - 1;
+        let one = 1.0_f64.to_bits();
+        let fraction = |x: f64| f64::from_bits(x.to_bits() & FRACTION | one);
+        let exponent = |x: f64| (x.to_bits() >> 52) as f64 - 1023.0;
+        (Self(self.0.map(fraction)), Self(self.0.map(exponent)))
+    }
+
+    #[inline(always)]
+    fn scale(self, power: Self) -> Self {
+        let factor = |p: f64| f64::from_bits(((p as i64 + 1023) as u64) << 52);
+        self * Self(power.0.map(factor))
+    }
+
+    #[inline(always)]
     fn store(self) -> [f64; LANES] {
         self.0
     }

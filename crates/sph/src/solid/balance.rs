@@ -77,7 +77,7 @@ pub(super) fn imbalance(
             return [0.0; 2];
         }
         let mut sum = [if axisymmetric { -1.0 } else { 0.0 }, 0.0];
-        let real_and_mirror = reference.pairs_of(a).iter().map(|p| {
+        let real_and_mirror = reference.pairs_of(a).map(|p| {
             let b = p.neighbour as usize;
             let other = if b < n {
                 (full[b], [reference.weight[b]; 2])

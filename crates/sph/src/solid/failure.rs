@@ -140,6 +140,7 @@ impl Reference {
         near.extend(gone);
         near.sort_unstable();
         near.dedup();
+        self.silence_forgotten();
         for &a in &near {
             self.silence(a);
         }

@@ -16,25 +16,28 @@
 //! R is the signed radius in axisymmetry and 1 in plane strain. Units: SI.
 
 use super::images::{Flux, Image};
-use super::mat2::{
-    Mat2, apply, combine, determinant, inverse, product, product_transposed, scaled,
-};
-use super::reference::{Pair, Reference};
+use super::mat2::{Mat2, apply, combine, determinant, product, scaled};
+use super::pairs::Pair;
+use super::reference::Reference;
 use super::state::State;
 use super::stress::TASK;
+use super::sums::{self, Forces, Matrices, Moving};
 use super::surface::Surface;
 use super::{Face, Formulation, Solid, absorbing};
 use crate::geometry::{Geometry, Vec2};
 use rayon::prelude::*;
 
-/// Copies for the gather loops: of particles, then of mirror images.
+/// What the sums over pairs read and write, and what is found on the way.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
+    /// Positions of particles, then of mirror images, m.
     pub(super) position: Vec<Vec2>,
+    /// Velocities of the same, m/s.
     pub(super) velocity: Vec<Vec2>,
-    deformation: Vec<Mat2>,
-    /// R P L.
-    flux: Vec<Mat2>,
+    /// Sums of the deformation gradient, by clusters.
+    pub(super) gradients: Vec<Matrices>,
+    moving: Vec<Moving>,
+    forces: Vec<Forces>,
     open_flux: Vec<Mat2>,
     /// P_tt, zero in plane strain.
     hoop: Vec<f64>,
@@ -50,8 +53,8 @@ pub(super) struct Scratch {
 #[derive(Debug, Clone, Copy)]
 struct DrivenPair {
     particle: u32,
-    /// Index among the pairs of the particle.
-    pair: u32,
+    /// Where it stands in the lists of `pairs.rs`.
+    place: u32,
     surface: u32,
     point: u32,
 }
@@ -71,15 +74,16 @@ impl Scratch {
         let mut driven = Vec::new();
         for (surface, face) in surfaces.iter().enumerate() {
             for particle in 0..n {
-                for (pair, p) in reference.pairs_of(particle).iter().enumerate() {
-                    let Some(image) = (p.neighbour as usize).checked_sub(n) else {
+                for place in reference.pairs.places_of(particle) {
+                    let neighbour = reference.pairs.neighbour(place);
+                    let Some(image) = neighbour.checked_sub(n) else {
                         continue;
                     };
                     let image = reference.mirror_images[image];
                     if image.beyond(face.side) {
                         driven.push(DrivenPair {
                             particle: particle as u32,
-                            pair: pair as u32,
+                            place: place as u32,
                             surface: surface as u32,
                             point: face.foot(image.source) as u32,
                         });
@@ -97,48 +101,29 @@ impl Scratch {
     fn by(&self, reference: &Reference, a: usize, p: &Pair) -> Vec2 {
         let b = p.neighbour as usize;
         let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
-        let d = [0, 1].map(|i| self.position[a][i] - self.position[b][i]);
-        let v = [0, 1].map(|i| self.velocity[a][i] - self.velocity[b][i]);
+        let (own, other) = (&self.moving[a], &self.moving[b]);
+        let d = [0, 1].map(|i| own.position[i] - other.position[i]);
+        let v = [0, 1].map(|i| own.velocity[i] - other.velocity[i]);
         let along = v[0] * d[0] + v[1] * d[1];
         let approach = along * if along < 0.0 { p.viscous } else { p.separating };
         let (q, f) = (
-            combine(&self.flux[a], 1.0, &self.flux[b], 1.0),
-            combine(&self.deformation[a], 0.5, &self.deformation[b], 0.5),
+            combine(&own.flux, 1.0, &other.flux, 1.0),
+            combine(&own.half_deformation, 1.0, &other.half_deformation, 1.0),
         );
         let (force, linear) = (apply(&q, g), apply(&f, p.offset));
         let scale = 1.0 / (reference.density[a] * reference.weight[a]);
         [0, 1].map(|i| force[i] * scale + approach * d[i] + p.hourglass * (linear[i] - d[i]))
     }
 
+    /// Acceleration from the sums over pairs, the open images and the hoop stress.
     fn acceleration(&self, reference: &Reference, a: usize) -> Parts {
-        let (x, v, f, q) = (
-            self.position[a],
-            self.velocity[a],
-            &self.deformation[a],
-            &self.flux[a],
-        );
-        let mut force = [0.0; 2];
-        let mut parts = Parts::default();
-        for p in reference.pairs_of(a) {
-            let b = p.neighbour as usize;
-            let (xb, vb, fb, qb) = (
-                self.position[b],
-                self.velocity[b],
-                &self.deformation[b],
-                &self.flux[b],
-            );
-            let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
-            let d = [x[0] - xb[0], x[1] - xb[1]];
-            let along = (v[0] - vb[0]) * d[0] + (v[1] - vb[1]) * d[1];
-            let approach = along * if along < 0.0 { p.viscous } else { p.separating };
-            for i in 0..2 {
-                force[i] += (q[i][0] + qb[i][0]) * g[0] + (q[i][1] + qb[i][1]) * g[1];
-                let linear =
-                    0.5 * ((f[i][0] + fb[i][0]) * p.offset[0] + (f[i][1] + fb[i][1]) * p.offset[1]);
-                parts.viscous[i] += approach * d[i];
-                parts.hourglass[i] += p.hourglass * (linear - d[i]);
-            }
+        if reference.forgotten[a] {
+            return Parts::default();
         }
+        let (cluster, lane) = reference.pairs.slot(a);
+        let sum = self.forces[cluster].map(|s| s[lane]);
+        let q = &self.moving[a].flux;
+        let mut force = [sum[0], sum[1]];
         for p in reference.open_pairs_of(a) {
             let qb = &self.open_flux[p.image as usize];
             let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
@@ -150,8 +135,14 @@ impl Scratch {
         force[0] -= imbalance[0] + self.hoop[a];
         force[1] -= imbalance[1];
         let scale = 1.0 / (reference.density[a] * reference.weight[a]);
-        parts.total = [0, 1].map(|i| force[i] * scale + parts.viscous[i] + parts.hourglass[i]);
-        parts
+        let s = &reference.pairs.stabilisers;
+        let viscous = [sum[2], sum[3]].map(|x| 0.25 * s.speed * x);
+        let hourglass = [sum[4], sum[5]].map(|x| 0.25 * s.stiffness * x);
+        Parts {
+            total: [0, 1].map(|i| force[i] * scale + viscous[i] + hourglass[i]),
+            viscous,
+            hourglass,
+        }
     }
 }
 
@@ -198,6 +189,11 @@ impl Solid {
         self.press();
         self.set_tractions();
         self.fluxes();
+        sums::forces(
+            &self.reference.pairs,
+            &self.scratch.moving,
+            &mut self.scratch.forces,
+        );
         let mut viscous = std::mem::take(&mut self.scratch.viscous);
         let mut hourglass = std::mem::take(&mut self.scratch.hourglass);
         viscous.resize(self.len(), [0.0; 2]);
@@ -225,8 +221,8 @@ impl Solid {
         let (scratch, reference) = (&self.scratch, &self.reference);
         for d in &scratch.driven {
             let (a, j) = (d.particle as usize, d.point as usize);
-            let pair = &reference.pairs_of(a)[d.pair as usize];
-            let acceleration = scratch.by(reference, a, pair);
+            let pair = reference.pairs.pair(a, d.place as usize);
+            let acceleration = scratch.by(reference, a, &pair);
             let surface = &mut self.surfaces[d.surface as usize];
             let share = reference.mass[a] / surface.area[j];
             for (t, acceleration) in surface.traction[j].iter_mut().zip(acceleration) {
@@ -260,21 +256,25 @@ impl Solid {
         let (state, reference) = (&self.state, &self.reference);
         let axisymmetric = self.geometry == Geometry::Axisymmetric;
         let scratch = &mut self.scratch;
-        scratch.deformation.clear();
-        scratch.deformation.extend_from_slice(&state.deformation);
-        scratch.flux.resize(state.position.len(), [[0.0; 2]; 2]);
+        let images = scratch.position.len();
+        scratch.moving.resize(images, Moving::default());
         scratch.hoop.resize(state.position.len(), 0.0);
-        (&mut scratch.flux, &mut scratch.hoop)
+        let (moving, _) = scratch.moving.split_at_mut(state.position.len());
+        (moving, &mut scratch.hoop)
             .into_par_iter()
             .enumerate()
             .with_min_len(TASK)
-            .for_each(|(a, (flux, hoop))| {
-                *flux = product(
-                    &weighted_nominal(state, reference, a),
-                    &reference.full_correction[a],
-                );
+            .for_each(|(a, (moving, hoop))| {
+                let f = &state.deformation[a];
+                let nominal = weighted_nominal(state, reference, a);
+                *moving = Moving {
+                    position: state.position[a],
+                    velocity: state.velocity[a],
+                    half_deformation: scaled(f, 0.5),
+                    flux: product(&nominal, &reference.full_correction[a]),
+                };
                 *hoop = if axisymmetric {
-                    determinant(&state.deformation[a]) * state.stress[a].zz
+                    determinant(f) * state.stress[a].zz
                 } else {
                     0.0
                 };
@@ -295,13 +295,18 @@ impl Solid {
             source.at_image(image, block, axisymmetric, surfaces)
         };
         let scratch = &mut self.scratch;
-        for image in &reference.mirror_images {
-            scratch.flux.push(at(image));
+        let n = state.position.len();
+        for (k, image) in reference.mirror_images.iter().enumerate() {
             let b = image.source as usize;
             let (x, start) = (state.position[b], reference.position[b]);
             let u = [x[0] - start[0], x[1] - start[1]];
-            let f = state.deformation[b];
-            (scratch.deformation).push(image.deformation(block, surfaces, start, u, f));
+            let f = image.deformation(block, surfaces, start, u, state.deformation[b]);
+            scratch.moving[n + k] = Moving {
+                position: scratch.position[n + k],
+                velocity: scratch.velocity[n + k],
+                half_deformation: scaled(&f, 0.5),
+                flux: at(image),
+            };
         }
         scratch.open_flux.clear();
         scratch
@@ -313,7 +318,8 @@ impl Solid {
 /// R P in the plane of motion, P = J sigma F^-T.
 fn weighted_nominal(state: &State, reference: &Reference, a: usize) -> Mat2 {
     let (f, s) = (&state.deformation[a], state.stress[a]);
-    let volume_ratio = determinant(f) * state.hoop_stretch[a];
-    let nominal = product_transposed(&[[s.xx, s.xy], [s.xy, s.yy]], &inverse(f));
-    scaled(&nominal, reference.weight[a] * volume_ratio)
+    // J F^-T = F_tt cof F, without a quotient.
+    let cofactor = [[f[1][1], -f[1][0]], [-f[0][1], f[0][0]]];
+    let nominal = product(&[[s.xx, s.xy], [s.xy, s.yy]], &cofactor);
+    scaled(&nominal, reference.weight[a] * state.hoop_stretch[a])
 }

@@ -23,12 +23,6 @@ pub(super) fn product(a: &Mat2, b: &Mat2) -> Mat2 {
     [[cell(0, 0), cell(0, 1)], [cell(1, 0), cell(1, 1)]]
 }
 
-/// A times the transpose of B.
-pub(super) fn product_transposed(a: &Mat2, b: &Mat2) -> Mat2 {
-    let cell = |i: usize, j: usize| a[i][0] * b[j][0] + a[i][1] * b[j][1];
-    [[cell(0, 0), cell(0, 1)], [cell(1, 0), cell(1, 1)]]
-}
-
 pub(super) fn scaled(m: &Mat2, k: f64) -> Mat2 {
     m.map(|row| row.map(|x| x * k))
 }

@@ -15,14 +15,18 @@ mod force;
 mod images;
 mod indenter;
 mod mat2;
+mod pairs;
+mod points;
 mod quasi_static;
 mod reference;
 mod renewal;
 mod resolution;
+mod return_in_lanes;
 mod search;
 mod state;
 mod step;
 mod stress;
+mod sums;
 mod surface;
 pub mod updated;
 

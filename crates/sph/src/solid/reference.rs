@@ -7,10 +7,10 @@
 use super::block::{Block, Reflection, Side};
 use super::images::Image;
 use super::mat2::{Mat2, UNIT, determinant, inverse};
+use super::pairs::{Pair, Pairs, Source, Stabilisers};
 use super::search::Cloud;
 use super::{Numerics, SolidError};
 use crate::geometry::{Geometry, Vec2};
-use crate::kernel;
 use erode_physics::material_point::Material;
 
 /// Particles no deeper than this many spacings under a face are its first row.
@@ -18,23 +18,6 @@ pub(super) const FIRST_ROW: f64 = 0.75;
 
 /// Smallest determinant of a moment matrix that spans a gradient; 1 inside.
 const LEAST_MOMENT: f64 = 0.01;
-
-/// One neighbour of a particle: real or a mirror image.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Pair {
-    /// Index among particles, then mirror images.
-    pub(super) neighbour: u32,
-    /// X_a - X_b, m.
-    pub(super) offset: Vec2,
-    /// A_b (dW/dX)/X: times `offset` it is A_b grad_a W.
-    pub(super) gradient: f64,
-    /// Coefficient of the viscous acceleration on approach, see `force.rs`.
-    pub(super) viscous: f64,
-    /// The same on separation.
-    pub(super) separating: f64,
-    /// Coefficient of the hourglass acceleration, see `force.rs`.
-    pub(super) hourglass: f64,
-}
 
 /// One open image that acts on a particle.
 #[derive(Debug, Clone, Copy)]
@@ -80,8 +63,7 @@ pub struct Reference {
     pub(super) imbalance: Vec<Vec2>,
     /// Particles taken out of all sums, see `failure.rs`.
     pub(super) forgotten: Vec<bool>,
-    pair_start: Vec<u32>,
-    pairs: Vec<Pair>,
+    pub(super) pairs: Pairs,
     open_start: Vec<u32>,
     open_pairs: Vec<OpenPair>,
 }
@@ -162,16 +144,24 @@ impl Reference {
             own_correction: Vec::new(),
             imbalance: vec![[0.0; 2]; position.len()],
             forgotten: layout.forgotten,
-            pair_start: vec![0],
-            pairs: Vec::new(),
+            pairs: Pairs::default(),
             open_start: vec![0],
             open_pairs: Vec::new(),
             position,
             area: layout.area,
         };
+        let unit = cloud.unit();
         for (a, list) in lists.iter().enumerate() {
-            reference.add_pairs(block, a, list, &cloud, material, numerics);
+            reference.add_open_pairs(a, list, &cloud, unit);
         }
+        let stabilisers = Stabilisers {
+            viscosity: numerics.viscosity,
+            speed: material.elastic.longitudinal_speed(material.density),
+            stiffness: numerics.hourglass * material.elastic.young_modulus / material.density,
+        };
+        reference.pairs = Pairs::new(&cloud, &lists, stabilisers, |b| {
+            reference.source_of_pairs(block, numerics, b)
+        });
         reference.mirror_images = cloud.mirror_images;
         reference.open_images = cloud.open_images;
         reference.correct()?;
@@ -179,8 +169,14 @@ impl Reference {
     }
 
     /// Real neighbours and mirror images of a particle.
-    pub(super) fn pairs_of(&self, a: usize) -> &[Pair] {
-        &self.pairs[self.pair_start[a] as usize..self.pair_start[a + 1] as usize]
+    pub(super) fn pairs_of(&self, a: usize) -> impl Iterator<Item = Pair> + '_ {
+        self.pairs.places_of(a).map(move |k| self.pairs.pair(a, k))
+    }
+
+    /// Number of pairs of all particles with their real neighbours and mirror images.
+    #[must_use]
+    pub fn pairs(&self) -> usize {
+        self.pairs.count()
     }
 
     /// Open images that act on a particle.
@@ -190,15 +186,16 @@ impl Reference {
 
     /// Particles that, or whose images, are neighbours of a particle or of its images.
     pub(super) fn sources_near(&self, a: usize) -> Vec<usize> {
-        let real = self.pairs_of(a).iter().map(|p| self.source(p.neighbour));
+        let real = self.pairs.places_of(a);
+        let real = real.map(|k| self.source(self.pairs.neighbour(k)));
         let open = self.open_pairs_of(a).iter();
         let open = open.map(|p| self.open_images[p.image as usize].source as usize);
         real.chain(open).collect()
     }
 
     /// The particle behind a neighbour.
-    fn source(&self, neighbour: u32) -> usize {
-        let (b, n) = (neighbour as usize, self.position.len());
+    fn source(&self, b: usize) -> usize {
+        let n = self.position.len();
         if b < n {
             b
         } else {
@@ -206,14 +203,13 @@ impl Reference {
         }
     }
 
-    /// Sets the coefficients of all pairs of a particle with forgotten ones to zero; of all its pairs if it is one.
+    /// Takes the forgotten particles out of the sums over real particles and mirror images.
+    pub(super) fn silence_forgotten(&mut self) {
+        self.pairs.silence(&self.forgotten, &self.mirror_images);
+    }
+
+    /// Sets the coefficients of all open pairs of a particle with forgotten ones to zero; of all of them if it is one.
     pub(super) fn silence(&mut self, a: usize) {
-        for k in self.pair_start[a] as usize..self.pair_start[a + 1] as usize {
-            if self.forgotten[a] || self.forgotten[self.source(self.pairs[k].neighbour)] {
-                let p = &mut self.pairs[k];
-                (p.gradient, p.viscous, p.separating, p.hourglass) = (0.0, 0.0, 0.0, 0.0);
-            }
-        }
         for k in self.open_start[a] as usize..self.open_start[a + 1] as usize {
             let source = self.open_images[self.open_pairs[k].image as usize].source;
             if self.forgotten[a] || self.forgotten[source as usize] {
@@ -240,55 +236,38 @@ impl Reference {
         true
     }
 
-    fn add_pairs(
-        &mut self,
-        block: &Block,
-        a: usize,
-        list: &[u32],
-        cloud: &Cloud,
-        material: &Material,
-        numerics: &Numerics,
-    ) {
+    /// Lists the open images that act on a particle; `list` are its neighbours.
+    fn add_open_pairs(&mut self, a: usize, list: &[u32], cloud: &Cloud, unit: f64) {
         let first_open = cloud.particles + cloud.mirror_images.len();
-        let speed = material.elastic.longitudinal_speed(material.density);
-        let stiffness = material.elastic.young_modulus / material.density;
-        for &j in list {
-            let source = cloud.source[j as usize] as usize;
-            let h = 0.5 * (self.smoothing_length[a] + cloud.smoothing_length[j as usize]);
-            let offset = [0, 1].map(|k| self.position[a][k] - cloud.points[j as usize][k]);
-            let square = offset[0] * offset[0] + offset[1] * offset[1];
-            let edge = if self.in_first_row(block, a) || self.in_first_row(block, source) {
+        for j in list
+            .iter()
+            .map(|&j| j as usize)
+            .filter(|&j| j >= first_open)
+        {
+            let source = cloud.source[j] as usize;
+            let gone = self.forgotten[a] || self.forgotten[source];
+            let area = if gone { 0.0 } else { self.area[source] };
+            self.open_pairs.push(OpenPair {
+                image: (j - first_open) as u32,
+                offset: [0, 1].map(|k| self.position[a][k] - cloud.points[j][k]),
+                gradient: area * cloud.gradient_factor(a, j, unit),
+            });
+        }
+        self.open_start.push(self.open_pairs.len() as u32);
+    }
+
+    /// What the pairs of a particle depend on.
+    fn source_of_pairs(&self, block: &Block, numerics: &Numerics, b: usize) -> Source {
+        Source {
+            area: if self.forgotten[b] { 0.0 } else { self.area[b] },
+            weight: self.weight[b],
+            density: self.density[b],
+            edge: if self.in_first_row(block, b) {
                 numerics.edge_viscosity
             } else {
                 0.0
-            };
-            let gone = self.forgotten[a] || self.forgotten[source];
-            let area = if gone { 0.0 } else { self.area[source] };
-            let gradient = area * kernel::gradient_factor(square.sqrt(), h);
-            if (j as usize) < first_open {
-                // The stabilisers are weighted with the means of the two |R| and densities: never negative, so that each
-                // dissipates.
-                let mean = 0.5 * (1.0 + self.weight[source] / self.weight[a]) / square
-                    * (0.5 * (1.0 + self.density[source] / self.density[a]));
-                let value = area * kernel::value(square.sqrt(), h);
-                self.pairs.push(Pair {
-                    neighbour: j,
-                    offset,
-                    gradient,
-                    viscous: edge.max(numerics.viscosity) * speed * h * gradient * mean,
-                    separating: edge * speed * h * gradient * mean,
-                    hourglass: numerics.hourglass * stiffness * value * mean,
-                });
-            } else {
-                self.open_pairs.push(OpenPair {
-                    image: j - first_open as u32,
-                    offset,
-                    gradient,
-                });
-            }
+            },
         }
-        self.pair_start.push(self.pairs.len() as u32);
-        self.open_start.push(self.open_pairs.len() as u32);
     }
 
     fn in_first_row(&self, block: &Block, a: usize) -> bool {
@@ -329,7 +308,7 @@ impl Reference {
             Err(SolidError::TooFewNeighbours {
                 particle: a,
                 position: self.position[a],
-                neighbours: self.pairs_of(a).len(),
+                neighbours: self.pairs_of(a).count(),
             })
         }
     }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::{Formulation, Start};
+use crate::phases::Phases;
 use erode_physics::eos::Tait;
 
 const WATER: Tait = Tait {
@@ -48,7 +49,7 @@ fn block(geometry: Geometry, inner: f64, n: usize, dx: f64) -> Fluid {
 
 fn sweep_of(fluid: &Fluid) -> Sweep {
     let walls: Vec<&dyn Wall> = fluid.sides.iter().map(|p| p as &dyn Wall).collect();
-    Sweep::find(&mut fluid.clone(), &walls, 0.0)
+    Sweep::find(&mut fluid.clone(), &walls, 0.0, &mut Phases::default())
 }
 
 fn forces_in(fluid: &Fluid, outside: f64, s: &Settings) -> Vec<Forces> {
@@ -125,7 +126,7 @@ fn a_wall_feels_pressure_times_area() {
     let sides = fluid.sides.clone();
     let mut walls: Vec<&dyn Wall> = sides.iter().map(|p| p as &dyn Wall).collect();
     walls.push(&lid);
-    let sweep = fluid.advance_positions(&walls, 1e-12);
+    let sweep = fluid.advance_positions(&walls, 1e-12, &mut Phases::default());
     fluid.volume = (fluid.mass.iter()).map(|m| m / WATER.density(P)).collect();
     fluid.pressure.fill(P);
     let x = Extended::new(&fluid, &sweep.ghosts, &fluid.velocity);
