@@ -16,14 +16,16 @@ mod pictures;
 mod plan;
 mod report;
 mod results;
+mod setting;
 mod table;
 
 pub use error::SweepError;
 pub use execute::{Execution, Outcome, Overall, Watcher, execute};
-pub use file::{Setting, Value};
+
 pub use folder::{Folder, Stand, stand_of};
 pub use pictures::{Picture, final_picture};
 pub use plan::{Plan, Planned};
 pub use report::write_report;
 pub use results::Results;
+pub use setting::{Setting, Value};
 pub use table::{Table, write_csv};

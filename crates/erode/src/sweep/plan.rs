@@ -1,7 +1,8 @@
 //! From a sweep file to the list of its runs, each with its checked case.
 
 use super::SweepError;
-use super::file::{self, List, Setting, SweepFile, Value};
+use super::file::{self, List, SweepFile};
+use super::setting::{Setting, Value};
 use crate::case::estimate::estimate;
 use crate::case::{Case, CaseError, CaseErrors};
 use crate::output::hash_hex;

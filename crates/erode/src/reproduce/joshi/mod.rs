@@ -8,7 +8,9 @@ mod chapter6;
 mod chapter6_times;
 mod chapter6_wall;
 mod chapter7;
-mod chapter7_effects;
+mod chapter7_pressure;
+mod chapter7_rate;
+mod chapter7_size;
 mod collapse;
 mod near_wall;
 mod resolution;
@@ -150,43 +152,43 @@ pub(super) const ALL: [Reproduction; 23] = [
         "joshi-fig-7.5",
         "plastic strain for three driving pressures",
         CHAPTER_7,
-        chapter7_effects::pressure_needs,
-        chapter7_effects::strain_of_pressure,
+        chapter7_pressure::pressure_needs,
+        chapter7_pressure::strain_of_pressure,
     ),
     of(
         "joshi-fig-7.6",
         "absorbed energy and its density against driving pressure",
         CHAPTER_7,
-        chapter7_effects::pressure_needs,
-        chapter7_effects::energy_of_pressure,
+        chapter7_pressure::pressure_needs,
+        chapter7_pressure::energy_of_pressure,
     ),
     of(
         "joshi-fig-7.7",
         "plastic strain for three bubble radii",
         CHAPTER_7,
-        chapter7_effects::size_needs,
-        chapter7_effects::strain_of_size,
+        chapter7_size::size_needs,
+        chapter7_size::strain_of_size,
     ),
     of(
         "joshi-fig-7.8",
         "absorbed energy and its density against bubble radius",
         CHAPTER_7,
-        chapter7_effects::size_needs,
-        chapter7_effects::energy_of_size,
+        chapter7_size::size_needs,
+        chapter7_size::energy_of_size,
     ),
     of(
         "joshi-fig-7.9",
         "plastic volume against bubble volume",
         CHAPTER_7,
-        chapter7_effects::size_needs,
-        chapter7_effects::volume_of_size,
+        chapter7_size::size_needs,
+        chapter7_size::volume_of_size,
     ),
     of(
         "joshi-fig-7.10",
         "plastic strain with and without strain-rate effect",
         CHAPTER_7,
-        chapter7_effects::rate_needs,
-        chapter7_effects::rate,
+        chapter7_rate::rate_needs,
+        chapter7_rate::rate,
     ),
     of(
         "joshi-fig-7.11",
