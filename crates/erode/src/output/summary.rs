@@ -8,7 +8,8 @@ use std::fs;
 use std::path::Path;
 
 /// Names that are tables of the summary and so cannot be scalars.
-const TABLES: [&str; 6] = [
+const TABLES: [&str; 7] = [
+    "seconds",
     "units",
     "versions",
     "input_hashes",
@@ -34,6 +35,9 @@ pub struct Summary {
     ledger: Map<String, Value>,
     /// Number of steps that each criterion limited.
     limiters: Map<String, Value>,
+    /// Seconds of computing in each part of the run.
+    #[serde(default)]
+    seconds: Map<String, Value>,
     /// Values beside those of a source: `quantity`, `value`, `reference`, `unit`, `source` each.
     #[serde(default)]
     comparison: Vec<Value>,
@@ -71,6 +75,11 @@ impl Summary {
     /// Sets how many steps a criterion limited.
     pub fn set_limiter(&mut self, name: &str, steps: u64) {
         self.limiters.insert(name.into(), steps.into());
+    }
+
+    /// Sets the seconds of computing in a part of the run.
+    pub fn set_seconds(&mut self, part: &str, seconds: f64) {
+        self.seconds.insert(part.into(), seconds.into());
     }
 
     /// Sets the comparison with a source.

@@ -51,6 +51,9 @@ pub(crate) fn summary(
         s.set_ledger(name, "J", value);
     }
     counts(&mut s, world);
+    for (part, seconds) in &record.seconds {
+        s.set_seconds(part, *seconds);
+    }
     for (name, steps) in &record.limiters {
         s.set_limiter(name, *steps);
     }

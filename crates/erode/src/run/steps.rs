@@ -4,11 +4,12 @@ use super::course::Course;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
-use super::{RunError, loads, results, state, watch};
+use super::{RunError, impact, loads, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{
     Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
 };
+use erode_sph::phases::Phase;
 use erode_sph::world::{Body, Limiter, World};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -33,6 +34,8 @@ pub(crate) struct Run {
     /// Last time step and what limited it.
     pub(super) last: (f64, Limiter),
     pub(super) begun: Instant,
+    /// Seconds spent on files.
+    written: f64,
     pub(super) first_step: u64,
 }
 
@@ -110,6 +113,7 @@ impl Run {
             first_dt: last.0,
             last,
             begun: Instant::now(),
+            written: 0.0,
             first_step: world.step,
             world,
         }
@@ -176,6 +180,23 @@ impl Run {
     }
 }
 
+impl Run {
+    /// The record with the times of this process.
+    fn record_until_now(&self) -> Record {
+        let mut record = self.record.clone();
+        let elapsed = self.begun.elapsed().as_secs_f64();
+        record.wall_time += elapsed;
+        let phases = &self.world.phases;
+        let rest = (elapsed - phases.total() - self.written).max(0.0);
+        let steps = Phase::ALL.map(|p| (p.name(), phases.seconds(p)));
+        let others = [("output", self.written), ("watch_and_rest", rest)];
+        for (part, seconds) in steps.into_iter().chain(others) {
+            *record.seconds.entry(part.to_owned()).or_default() += seconds;
+        }
+        record
+    }
+}
+
 impl Course for Run {
     fn advance(
         &mut self,
@@ -196,7 +217,9 @@ impl Course for Run {
             let before = self.world.time;
             self.last = self.world.stable_time_step();
             self.checked_step()?;
+            let begun = Instant::now();
             self.write_due(before)?;
+            self.written += begun.elapsed().as_secs_f64();
             if shown.elapsed().as_secs_f64() > STATUS_EVERY {
                 shown = Instant::now();
                 observer.progress(&self.progress());
@@ -208,8 +231,7 @@ impl Course for Run {
 
     fn write_checkpoint(&mut self) -> Result<(), RunError> {
         let mut extra = self.files.mark(&self.simulation)?;
-        let mut record = self.record.clone();
-        record.wall_time += self.begun.elapsed().as_secs_f64();
+        let record = self.record_until_now();
         let record =
             serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
         extra.insert("first_dt".into(), self.first_dt.into());
@@ -241,10 +263,12 @@ impl Course for Run {
     }
 
     fn results(&mut self) -> Result<(Summary, String), RunError> {
-        let wall_time = self.record.wall_time + self.begun.elapsed().as_secs_f64();
+        let record = self.record_until_now();
+        let wall_time = record.wall_time;
         let threads = rayon::current_num_threads();
         let (world, simulation) = (&self.world, &self.simulation);
-        let summary = results::summary(world, simulation, &self.record, wall_time, threads);
+        let mut summary = results::summary(world, simulation, &record, wall_time, threads);
+        impact::add(&mut summary, world, simulation, &record, self.files.paths());
         let words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
             world.step,

@@ -31,7 +31,9 @@ impl Task for Everything {
             S::load(&self.0[0].map(|x| (x.abs() * 7.0).max(1e-300).min(1e300)))
                 .split()
                 .1,
-            b.scale(S::load(&self.0[0].map(|x| x.clamp(-500.0, 500.0).round()))),
+            b.scale(S::load(
+                &self.0[0].map(|x| x.max(-500.0).min(500.0).round()),
+            )),
             functions::ln(S::load(
                 &self.0[0].map(|x| (x.abs() * 7.0).max(1e-300).min(1e300)),
             )),

@@ -18,7 +18,10 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
         None => page.absent("No time steps were recorded: history.csv has no column dt."),
     }
     page.columns(
-        |left| write_limiters(left, data),
+        |left| {
+            write_limiters(left, data);
+            write_seconds(left, data);
+        },
         |right| write_facts(right, data),
     );
 }
@@ -67,6 +70,28 @@ fn write_limiters(page: &mut Page, data: &RunData) {
         })
         .collect();
     page.table(&["what limited the step", "steps", "share"], &rows);
+}
+
+/// Where the time of the run went.
+fn write_seconds(page: &mut Page, data: &RunData) {
+    let parts = data.summary.get("seconds").and_then(Value::as_object);
+    let parts: Vec<(&String, f64)> = (parts.into_iter().flatten())
+        .filter_map(|(name, seconds)| Some((name, seconds.as_f64()?)))
+        .collect();
+    let total: f64 = parts.iter().map(|p| p.1).sum();
+    if total <= 0.0 {
+        return;
+    }
+    let rows: Vec<Vec<String>> = (parts.iter())
+        .map(|(name, seconds)| {
+            vec![
+                in_words(name),
+                format!("{} s", significant(*seconds, 3)),
+                format!("{} %", significant(100.0 * seconds / total, 3)),
+            ]
+        })
+        .collect();
+    page.table(&["part of the run", "time", "share"], &rows);
 }
 
 fn write_facts(page: &mut Page, data: &RunData) {
