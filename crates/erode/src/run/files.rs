@@ -1,8 +1,9 @@
 //! What a run writes while it goes on: tables, snapshots, and how far they had come at a checkpoint.
 
+use super::background::{Background, Part};
 use super::{RunError, monitor, probes};
 use crate::case::Simulation;
-use crate::output::{Collection, Column, Encoding, Entry, RunFolder, RunPaths, TableWriter};
+use crate::output::{Collection, Column, Entry, RunFolder, RunPaths, TableWriter};
 use erode_sph::solid::Side;
 use erode_sph::world::{Body, World};
 use serde_json::{Map, Value};
@@ -19,6 +20,7 @@ pub(crate) struct Files {
     probes: Vec<TableWriter>,
     fields: Collection,
     snapshots: u64,
+    background: Background,
 }
 
 /// The table of the wall pressure and the surface points in it.
@@ -69,6 +71,7 @@ impl Files {
             probes,
             fields,
             snapshots,
+            background: Background::default(),
         })
     }
 
@@ -99,28 +102,41 @@ impl Files {
         Ok(())
     }
 
-    /// One snapshot of every body.
+    /// One snapshot of every body, written while the calculation goes on.
     ///
     /// # Errors
-    /// If a file cannot be written.
+    /// If a file of the snapshot before could not be written.
     pub(crate) fn write_fields(&mut self, world: &World) -> Result<(), RunError> {
-        let mut entries = Vec::new();
+        self.settle()?;
+        let mut parts = Vec::new();
         for (part, named) in world.bodies.iter().enumerate() {
             let path = self.folder.paths().snapshot(&named.name, self.snapshots);
-            probes::snapshot(&named.body, world.time).write(&path, Encoding::Zlib)?;
             let file = format!(
                 "fields/{}",
                 path.file_name().unwrap_or_default().to_string_lossy()
             );
-            entries.push(Entry {
-                time: world.time,
-                part,
-                name: named.name.clone(),
-                file,
+            parts.push(Part {
+                path,
+                snapshot: probes::snapshot(&named.body, world.time),
+                entry: Entry {
+                    time: world.time,
+                    part,
+                    name: named.name.clone(),
+                    file,
+                },
             });
         }
-        self.fields.add(entries)?;
+        self.background.begin(parts);
         self.snapshots += 1;
+        Ok(())
+    }
+
+    /// Waits for the snapshot that is being written and lists it.
+    fn settle(&mut self) -> Result<(), RunError> {
+        let entries = self.background.settle()?;
+        if !entries.is_empty() {
+            self.fields.add(entries)?;
+        }
         Ok(())
     }
 
@@ -129,6 +145,7 @@ impl Files {
     /// # Errors
     /// If a file cannot be written.
     pub(crate) fn mark(&mut self, simulation: &Simulation) -> Result<Map<String, Value>, RunError> {
+        self.settle()?;
         let mut rows = Map::new();
         self.history.sync()?;
         rows.insert("history".into(), self.history.rows().into());

@@ -1,5 +1,6 @@
 //! Runs: from a case to a run folder.
 
+mod background;
 mod bubble_cloud;
 mod build;
 mod course;
