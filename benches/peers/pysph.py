@@ -15,7 +15,7 @@ HOME = ROOT / "target" / "peers"
 
 # Name, example and its options, steps, workload of `erode bench`.
 CLASSES = [
-    ("liquid", ["dam_break_2d", "--dx", "0.005"], 40, "liquid-plane"),
+    ("liquid", ["dam_break_2d", "--dx", "0.005", "--timestep", "1e-5"], 40, "liquid-plane"),
     ("elastic solid", ["solid_mech.rings"], 100, "solid-plane"),
 ]
 
