@@ -9,6 +9,7 @@ use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
+use rayon::prelude::*;
 
 /// The part of the plane in which cavities are looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,6 +46,44 @@ impl Cavity {
     }
 }
 
+/// Rows of cells that one task colours.
+const BAND: usize = 8;
+
+/// What one particle covers.
+struct Blot {
+    x: Vec2,
+    area: f64,
+    h: f64,
+    /// First and last cell in both directions.
+    from: [usize; 2],
+    to: [usize; 2],
+}
+
+impl Blot {
+    /// None if the window has no cell within the support of the kernel.
+    fn new(colour: &Colour, x: Vec2, h: f64, area: impl FnOnce() -> f64) -> Option<Self> {
+        let (w, radius) = (colour.window, kernel::SUPPORT * h);
+        let (mut from, mut to) = ([0; 2], [0; 2]);
+        for k in 0..2 {
+            let size = colour.size[k] as f64;
+            let cell = |v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, size);
+            let (first, last) = (cell(x[k] - radius).ceil(), cell(x[k] + radius).floor());
+            if last < 0.0 || first > size - 1.0 {
+                return None;
+            }
+            from[k] = first.max(0.0) as usize;
+            to[k] = (last as usize).min(colour.size[k] - 1);
+        }
+        (from[0] <= to[0] && from[1] <= to[1]).then(|| Self {
+            x,
+            area: area(),
+            h,
+            from,
+            to,
+        })
+    }
+}
+
 /// Colour of every cell of a window.
 #[derive(Debug, Clone)]
 pub struct Colour {
@@ -72,48 +111,44 @@ impl Colour {
             reach: 0,
         };
         let position = ghosts.extend(&fluid.position, |p, x| p.mirror(x));
-        let mut finest = f64::INFINITY;
-        for (i, x) in position.iter().enumerate() {
-            let a = ghosts.particle(fluid.len(), i);
-            let h = fluid.smoothing_length[a];
-            if colour.add(*x, fluid.filled_area(a), h) {
-                finest = finest.min(h);
-            }
-        }
+        let blots: Vec<Blot> = (position.par_iter().enumerate())
+            .filter_map(|(i, x)| {
+                let a = ghosts.particle(fluid.len(), i);
+                let h = fluid.smoothing_length[a];
+                Blot::new(&colour, *x, h, || fluid.filled_area(a))
+            })
+            .collect();
+        colour.add(&blots);
+        let finest = blots.iter().map(|b| b.h).fold(f64::INFINITY, f64::min);
         if finest.is_finite() {
             colour.reach = (kernel::SUPPORT * finest / window.cell).ceil() as usize;
         }
         colour
     }
 
-    fn add(&mut self, x: Vec2, area: f64, h: f64) -> bool {
-        let w = self.window;
-        let radius = kernel::SUPPORT * h;
-        let cell =
-            |k: usize, v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, self.size[k] as f64);
-        let (i0, i1) = (
-            cell(0, x[0] - radius).ceil().max(0.0) as usize,
-            cell(0, x[0] + radius).floor(),
-        );
-        let (j0, j1) = (
-            cell(1, x[1] - radius).ceil().max(0.0) as usize,
-            cell(1, x[1] + radius).floor(),
-        );
-        if i1 < 0.0 || j1 < 0.0 {
-            return false;
-        }
-        let (i1, j1) = (
-            (i1 as usize).min(self.size[0] - 1),
-            (j1 as usize).min(self.size[1] - 1),
-        );
-        for j in j0..=j1 {
-            for i in i0..=i1 {
-                let c = self.centre(i, j);
-                let distance = (c[0] - x[0]).hypot(c[1] - x[1]);
-                self.colour[i + self.size[0] * j] += area * kernel::value(distance, h);
+    /// Bands of rows side by side; each cell gets its blots in their order.
+    fn add(&mut self, blots: &[Blot]) {
+        let (row, mut cells) = (self.size[0], std::mem::take(&mut self.colour));
+        (cells.par_chunks_mut(row * BAND).enumerate()).for_each(|(band, cells)| {
+            let first = band * BAND;
+            let last = first + cells.len() / row - 1;
+            for b in blots
+                .iter()
+                .filter(|b| b.to[1] >= first && b.from[1] <= last)
+            {
+                for j in b.from[1].max(first)..=b.to[1].min(last) {
+                    for i in b.from[0]..=b.to[0] {
+                        let c = self.centre(i, j);
+                        let square = (c[0] - b.x[0]).powi(2) + (c[1] - b.x[1]).powi(2);
+                        if square < (kernel::SUPPORT * b.h).powi(2) {
+                            cells[i + row * (j - first)] +=
+                                b.area * kernel::value(square.sqrt(), b.h);
+                        }
+                    }
+                }
             }
-        }
-        i0 <= i1 && j0 <= j1
+        });
+        self.colour = cells;
     }
 
     fn centre(&self, i: usize, j: usize) -> Vec2 {

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 /// Support radius in units of h.
 pub const SUPPORT: f64 = 2.0;
 
-/// W = SCALE/h^2 times [`shape`] of q.
+/// Constant of the kernel: W = SCALE/h^2 at distance 0.
 pub const SCALE: f64 = 10.0 / (7.0 * PI);
 
 /// Kernel value, 1/m2.
@@ -37,25 +37,17 @@ pub fn gradient_factor(distance: f64, h: f64) -> f64 {
     }
 }
 
-/// W h^2/SCALE of eight pairs at q; exactly 0 from q = 2 on.
+/// W R^5 and (dW/ddistance) R^5 of eight pairs with support radius R = 2h: with t = R - distance and u = R/2 - distance, not
+/// below zero, these are SCALE (8 t^3 - 32 u^3) and SCALE (96 u^2 - 24 t^2). Exactly 0 from distance R on.
 #[inline(always)]
-pub fn shape<S: Simd>(q: S) -> S {
+pub fn times_support_to_fifth<S: Simd>(distance: S, support: S) -> [S; 2] {
     let zero = S::splat(0.0);
-    let t = (S::splat(2.0) - q).max(zero);
-    let u = (S::splat(1.0) - q).max(zero);
-    S::splat(0.25) * t * t * t - u * u * u
-}
-
-/// (dW/ddistance)/distance h^4/SCALE of eight pairs at q; finite at q = 0 (1/q must be finite there), exactly 0 from q = 2 on.
-#[inline(always)]
-pub fn slope<S: Simd>(q: S, inverse_q: S) -> S {
-    let t = (S::splat(2.0) - q).max(S::splat(0.0));
-    let inner = q.mul_add(S::splat(2.25), S::splat(-3.0));
-    S::select(
-        q.lt(S::splat(1.0)),
-        inner,
-        S::splat(-0.75) * t * t * inverse_q,
-    )
+    let t = (support - distance).max(zero);
+    let u = support.mul_add(S::splat(0.5), -distance).max(zero);
+    let (t2, u2) = (t * t, u * u);
+    let value = (t2 * t).mul_add(S::splat(8.0 * SCALE), u2 * u * S::splat(-32.0 * SCALE));
+    let slope = u2.mul_add(S::splat(96.0 * SCALE), t2 * S::splat(-24.0 * SCALE));
+    [value, slope]
 }
 
 #[cfg(test)]
@@ -63,30 +55,31 @@ mod tests {
     use super::*;
     use crate::simd::{self, LANES, Task};
 
-    /// [`shape`] and [`slope`] at eight q.
-    struct Both([f64; LANES]);
+    /// Value and slope at eight q with h.
+    struct Both([f64; LANES], f64);
 
     impl Task for Both {
         type Output = [[f64; LANES]; 2];
 
         #[inline(always)]
         fn run<S: Simd>(self) -> Self::Output {
-            let q = S::load(&self.0);
-            let inverse = S::splat(1.0) / q.max(S::splat(1e-30));
-            [shape(q).store(), slope(q, inverse).store()]
+            let h = S::splat(self.1);
+            times_support_to_fifth(S::load(&self.0) * h, h + h).map(S::store)
         }
     }
 
     #[test]
     fn lanes_agree_with_single_pairs() {
         let q = [0.0, 0.3, 0.999, 1.0, 1.2, 1.9, 2.0, 2.5];
-        let [shape, slope] = simd::run(Both(q));
-        let h: f64 = 0.7;
+        let h: f64 = 0.75;
+        let [values, slopes] = simd::run(Both(q, h));
+        let fifth = (2.0 * h).powi(5);
         for (k, q) in q.into_iter().enumerate() {
-            assert!((SCALE / h.powi(2) * shape[k] - value(q * h, h)).abs() < 1e-14);
-            assert!((SCALE / h.powi(4) * slope[k] - gradient_factor(q * h, h)).abs() < 1e-13);
+            let slope = q * h * gradient_factor(q * h, h);
+            assert!((values[k] / fifth - value(q * h, h)).abs() < 1e-14);
+            assert!((slopes[k] / fifth - slope).abs() < 1e-13);
         }
-        assert_eq!([shape[6], shape[7], slope[6], slope[7]], [0.0; 4]);
+        assert_eq!([values[6], values[7], slopes[6], slopes[7]], [0.0; 4]);
     }
 
     #[test]

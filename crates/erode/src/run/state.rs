@@ -3,6 +3,7 @@
 use super::RunError;
 use crate::output::Checkpoint;
 use erode_physics::tensor::Sym3;
+use erode_sph::fluid::Clustering;
 use erode_sph::world::{Body, World};
 use serde_json::{Value, json};
 
@@ -24,6 +25,11 @@ pub(crate) fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), Ru
                 checkpoint.push(&key("smoothing_length"), f.smoothing_length.clone())?;
                 checkpoint.push(&key("support"), f.support.clone())?;
                 checkpoint.push(&key("strain_rate"), f.strain_rate.clone())?;
+                let clusters = &f.clustering;
+                let order: Vec<f64> = clusters.order.iter().map(|a| f64::from(*a)).collect();
+                checkpoint.push(&key("cluster_order"), order)?;
+                let state = vec![clusters.fresh as f64, f64::from(u8::from(clusters.stale))];
+                checkpoint.push(&key("cluster_state"), state)?;
             }
             Body::Solid(s) => {
                 let q = &s.state;
@@ -123,6 +129,11 @@ pub(crate) fn restore(
                 f.smoothing_length = numbers("smoothing_length", n)?;
                 f.support = numbers("support", n)?;
                 f.strain_rate = numbers("strain_rate", n)?;
+                f.clustering = clustering(
+                    &numbers("cluster_order", n)?,
+                    &numbers("cluster_state", 2)?,
+                    &name,
+                )?;
                 f.account = serde_json::from_value(account).map_err(wrong)?;
             }
             Body::Solid(s) => {
@@ -164,6 +175,22 @@ pub(crate) fn restore(
         }
     }
     Ok(())
+}
+
+/// Which particles are summed side by side: results depend on it in the last bits.
+fn clustering(order: &[f64], state: &[f64], body: &str) -> Result<Clustering, RunError> {
+    let clustering = Clustering {
+        order: order.iter().map(|a| *a as u32).collect(),
+        fresh: state[0] as usize,
+        stale: state[1] != 0.0,
+    };
+    if clustering.is_complete() {
+        Ok(clustering)
+    } else {
+        Err(RunError::Checkpoint(format!(
+            "`cluster_order` of body `{body}` does not name each particle once"
+        )))
+    }
 }
 
 fn fits<T>(values: Vec<T>, n: usize, body: &str, field: &str) -> Result<Vec<T>, RunError> {

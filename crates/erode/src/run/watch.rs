@@ -173,7 +173,7 @@ fn implausible_metal(s: &Solid, body: &str) -> Option<Finding> {
 
 /// The speed in words if it is more than `factor` times that of a wave.
 fn too_fast(v: Vec2, factor: f64, wave: f64, name: &str) -> Option<String> {
-    let speed = v[0].hypot(v[1]);
+    let speed = (v[0] * v[0] + v[1] * v[1]).sqrt();
     (speed > factor * wave).then(|| {
         format!(
             "{speed:.4e} m/s, {:.1} times the {name} (plausible: up to {factor})",

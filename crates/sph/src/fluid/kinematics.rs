@@ -9,10 +9,11 @@
 
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::moments::{Sym2, apply_lanes, inverse, smaller_eigenvalue};
-use crate::fluid::pair::{Pair, dot, limited, mean_ring};
+use crate::fluid::pair::{Pair, half_ring, limited};
 use crate::fluid::places::{self, Places};
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::{Geometry, Vec2};
+use crate::kernel;
 use crate::neighbours::pair_sum::{PairSum, Record, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
@@ -43,11 +44,13 @@ record! {
         x, y, h, area,
         /// Velocity, m/s.
         u, v,
-        /// rho times acceleration, -grad p, Pa/m.
-        push_x, push_y,
         pressure,
-        /// rho c, kg/(m2 s).
-        impedance,
+        /// Half of rho times acceleration, of -grad p, Pa/m.
+        half_push_x, half_push_y,
+        /// Half of rho c, kg/(m2 s).
+        half_impedance,
+        /// Half of the length of the ring, m.
+        half_ring,
     }
 }
 
@@ -67,9 +70,8 @@ record! {
 /// The law.
 struct Law {
     rings: bool,
-    mean_ring: [f64; 2],
-    /// 1/shape of the kernel at one spacing, q = 1/SMOOTHING.
-    inverse_shape: f64,
+    /// Strength of the short-range term over the fourth power of W R^2 at one spacing.
+    clumping: f64,
 }
 
 /// Memory of the sums.
@@ -83,13 +85,20 @@ pub(crate) fn sweep(
     memory: &mut Memory,
     kinematics: &mut Vec<Kinematics>,
 ) {
-    let shape = crate::kernel::value(1.0 / super::SMOOTHING, 1.0) / crate::kernel::SCALE;
+    // W R^2 at one spacing, the same for all R.
+    let at_spacing = 4.0 * kernel::value(1.0 / super::SMOOTHING, 1.0);
+    let geometry = fluid.geometry;
     let law = Law {
-        rings: fluid.geometry == Geometry::Axisymmetric,
-        mean_ring: mean_ring(fluid.geometry),
-        inverse_shape: 1.0 / shape,
+        rings: geometry == Geometry::Axisymmetric,
+        clumping: CLUMPING / at_spacing.powi(4),
     };
-    places.sum(&law, ghosts, |a| particle(fluid, a), image, memory);
+    places.sum(
+        &law,
+        ghosts,
+        |a| particle(fluid, a),
+        |plane, p| image(geometry, plane, p),
+        memory,
+    );
     (0..fluid.len())
         .into_par_iter()
         .with_min_len(PARTICLES_PER_TASK)
@@ -107,24 +116,26 @@ fn particle(fluid: &Fluid, a: usize) -> Particle {
         area: fluid.area(a),
         u,
         v,
-        push_x: density * acceleration[0],
-        push_y: density * acceleration[1],
         pressure: fluid.pressure[a],
-        impedance: density * fluid.eos.sound_speed_at(density),
+        half_push_x: 0.5 * density * acceleration[0],
+        half_push_y: 0.5 * density * acceleration[1],
+        half_impedance: 0.5 * density * fluid.eos.sound_speed_at(density),
+        half_ring: half_ring(fluid.geometry, x),
     }
 }
 
-fn image(plane: &Plane, p: Particle) -> Particle {
+fn image(geometry: Geometry, plane: &Plane, p: Particle) -> Particle {
     let [x, y] = plane.mirror([p.x, p.y]);
     let [u, v] = plane.mirror_velocity([p.u, p.v]);
-    let [push_x, push_y] = plane.mirror_direction([p.push_x, p.push_y]);
+    let [half_push_x, half_push_y] = plane.mirror_direction([p.half_push_x, p.half_push_y]);
     Particle {
         x,
         y,
         u,
         v,
-        push_x,
-        push_y,
+        half_push_x,
+        half_push_y,
+        half_ring: half_ring(geometry, x),
         ..p
     }
 }
@@ -141,10 +152,10 @@ impl PairSum for Law {
 
     #[inline(always)]
     fn add<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
-        let impedance = S::splat(0.5) * (a.impedance + b.impedance);
+        let impedance = a.half_impedance + b.half_impedance;
         let (pair, inverse_impedance) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], impedance);
         let d = pair.separation;
-        let factor = b.area * pair.gradient_factor();
+        let factor = b.area * pair.gradient;
         let g = d.map(|d| factor * d);
         sums.xx = (-d[0]).mul_add(g[0], sums.xx);
         sums.xy = (-d[0]).mul_add(g[1], sums.xy);
@@ -154,14 +165,13 @@ impl PairSum for Law {
         sums.uy = du.mul_add(g[1], sums.uy);
         sums.vx = dv.mul_add(g[0], sums.vx);
         sums.vy = dv.mul_add(g[1], sums.vy);
-        let near = self.nearness(pair.q);
+        let near = self.nearness(&pair);
         sums.crowding_x = near.mul_add(g[0], sums.crowding_x);
         sums.crowding_y = near.mul_add(g[1], sums.crowding_y);
-        let ring = (a.x + b.x)
-            .abs()
-            .mul_add(S::splat(self.mean_ring[0]), S::splat(self.mean_ring[1]));
         let speed = pressure_jump(a, b, d) * inverse_impedance;
-        sums.exchange = (-ring * factor * pair.distance).mul_add(speed, sums.exchange);
+        let ring = (a.half_ring + b.half_ring).abs();
+        let surface = ring * (factor * pair.distance);
+        sums.exchange = (-surface).mul_add(speed, sums.exchange);
     }
 
     #[inline(always)]
@@ -195,18 +205,18 @@ impl PairSum for Law {
 impl Law {
     /// 1 + 0.2 (W/W(dx))^4.
     #[inline(always)]
-    fn nearness<S: Simd>(&self, q: S) -> S {
-        let w = crate::kernel::shape(q) * S::splat(self.inverse_shape);
-        let square = w * w;
-        (square * square).mul_add(S::splat(CLUMPING), S::splat(1.0))
+    fn nearness<S: Simd>(&self, pair: &Pair<S>) -> S {
+        let square = pair.relative_kernel * pair.relative_kernel;
+        (square * square).mul_add(S::splat(self.clumping), S::splat(1.0))
     }
 }
 
-/// p_a - p_b - linear part, Pa; exactly antisymmetric.
+/// p_a - p_b less its linear part, Pa; exactly antisymmetric.
 #[inline(always)]
 fn pressure_jump<S: Simd>(a: &Particle<S>, b: &Particle<S>, d: [S; 2]) -> S {
-    let slope = dot([a.push_x, a.push_y], d) + dot([b.push_x, b.push_y], d);
-    limited(a.pressure - b.pressure, S::splat(-0.5) * slope)
+    let jump = a.pressure - b.pressure;
+    let push = [a.half_push_x + b.half_push_x, a.half_push_y + b.half_push_y];
+    limited(jump, push[0].mul_add(d[0], push[1].mul_add(d[1], jump)))
 }
 
 impl From<&Sums> for Kinematics {

@@ -39,9 +39,11 @@ record! {
         x, y, h, area,
         /// Velocity, m/s.
         u, v,
-        pressure, density, sound_speed,
-        /// Velocity gradient, row by row, 1/s.
-        ux, uy, vx, vy,
+        pressure,
+        /// Half of the density, kg/m3, and of the sound speed, m/s.
+        half_density, half_sound_speed,
+        /// Half of the velocity gradient, row by row, 1/s.
+        half_ux, half_uy, half_vx, half_vy,
         /// Pressure outside a far field, Pa.
         outside,
     }
@@ -96,12 +98,12 @@ fn particle(fluid: &Fluid, [u, v]: Vec2, k: &Kinematics, outside: f64, a: usize)
         u,
         v,
         pressure: fluid.pressure[a],
-        density,
-        sound_speed: fluid.eos.sound_speed_at(density),
-        ux,
-        uy,
-        vx,
-        vy,
+        half_density: 0.5 * density,
+        half_sound_speed: 0.5 * fluid.eos.sound_speed_at(density),
+        half_ux: 0.5 * ux,
+        half_uy: 0.5 * uy,
+        half_vx: 0.5 * vx,
+        half_vy: 0.5 * vy,
         outside,
     }
 }
@@ -109,16 +111,17 @@ fn particle(fluid: &Fluid, [u, v]: Vec2, k: &Kinematics, outside: f64, a: usize)
 fn image(plane: &Plane, p: Particle) -> Particle {
     let [x, y] = plane.mirror([p.x, p.y]);
     let [u, v] = plane.mirror_velocity([p.u, p.v]);
-    let [[ux, uy], [vx, vy]] = plane.mirror_tensor([[p.ux, p.uy], [p.vx, p.vy]]);
+    let gradient = [[p.half_ux, p.half_uy], [p.half_vx, p.half_vy]];
+    let [[half_ux, half_uy], [half_vx, half_vy]] = plane.mirror_tensor(gradient);
     Particle {
         x,
         y,
         u,
         v,
-        ux,
-        uy,
-        vx,
-        vy,
+        half_ux,
+        half_uy,
+        half_vx,
+        half_vy,
         ..p
     }
 }
@@ -178,10 +181,10 @@ impl PairSum for Law {
 #[inline(always)]
 fn add_pair<S: Simd>(sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) -> ([S; 2], S) {
     let (pair, _) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], S::splat(1.0));
-    let factor = b.area * pair.gradient_factor();
+    let factor = b.area * pair.gradient;
     let g = pair.separation.map(|d| factor * d);
     let q = dissipation(&pair, a, b);
-    let p = a.pressure + b.pressure - S::splat(2.0) * a.outside;
+    let p = (a.pressure - S::splat(2.0) * a.outside) + b.pressure;
     sums.pressure_x = p.mul_add(g[0], sums.pressure_x);
     sums.pressure_y = p.mul_add(g[1], sums.pressure_y);
     sums.friction_x = q.mul_add(g[0], sums.friction_x);
@@ -192,14 +195,14 @@ fn add_pair<S: Simd>(sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) -> ([
 /// q_ab, Pa.
 #[inline(always)]
 fn dissipation<S: Simd>(pair: &Pair<S>, a: &Particle<S>, b: &Particle<S>) -> S {
-    let (zero, half) = (S::splat(0.0), S::splat(0.5));
     let d = pair.separation;
-    let jump = -dot([a.u - b.u, a.v - b.v], d) * pair.inverse_distance;
-    let along_x = dot([a.ux + b.ux, a.uy + b.uy], d);
-    let along_y = dot([a.vx + b.vx, a.vy + b.vy], d);
-    let linear = -half * dot([along_x, along_y], d) * pair.inverse_distance;
-    let u = limited(jump, linear);
-    let c = half * (a.sound_speed + b.sound_speed);
-    let rho = half * (a.density + b.density);
-    S::select(zero.lt(jump), rho * c * u, zero)
+    let approach = dot([b.u - a.u, b.v - a.v], d) * pair.inverse_distance;
+    let jump = approach.max(S::splat(0.0));
+    let along_x = dot([a.half_ux + b.half_ux, a.half_uy + b.half_uy], d);
+    let along_y = dot([a.half_vx + b.half_vx, a.half_vy + b.half_vy], d);
+    let explained = dot([along_x, along_y], d);
+    let u = limited(jump, explained.mul_add(pair.inverse_distance, jump));
+    let rho = a.half_density + b.half_density;
+    let c = a.half_sound_speed + b.half_sound_speed;
+    rho * c * u
 }

@@ -41,6 +41,18 @@ impl Clustering {
         }
     }
 
+    /// Whether the order names each particle once.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        let mut seen = vec![false; self.order.len()];
+        for &a in &self.order {
+            if let Some(seen) = seen.get_mut(a as usize) {
+                *seen = true;
+            }
+        }
+        seen.iter().all(|s| *s)
+    }
+
     /// New clusters where the old ones no longer lie together.
     fn renew(&mut self, position: &[Vec2]) {
         if self.stale || self.order.len() != position.len() {

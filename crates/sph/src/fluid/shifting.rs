@@ -13,11 +13,11 @@
 use crate::fluid::corrected::Settings;
 use crate::fluid::ghosts::Plane;
 use crate::fluid::kinematics::Kinematics;
-use crate::fluid::pair::{Pair, dot, mean_ring};
+use crate::fluid::pair::{Pair, dot, half_ring};
 use crate::fluid::places::{self, Places};
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum};
-use crate::geometry::Vec2;
+use crate::geometry::{Geometry, Vec2};
 use crate::neighbours::pair_sum::{PairSum, Record, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
@@ -65,7 +65,11 @@ record! {
         x, y, h, area,
         /// Shifting velocity, m/s.
         shift_x, shift_y,
-        strain_rate, density,
+        /// Rate of levelling, 1/s.
+        levelling,
+        density,
+        /// Half of the length of the ring, m.
+        half_ring,
         /// Velocity, m/s.
         u, v,
         /// Part of what it would give that it may give.
@@ -84,7 +88,6 @@ record! {
 
 /// The law.
 struct Exchange {
-    mean_ring: [f64; 2],
     dt: f64,
 }
 
@@ -94,10 +97,9 @@ pub(crate) type Memory = places::Sums<Particle, Gain>;
 /// Moves volume, mass and momentum between neighbours for one step of shifting with velocities `shift`.
 pub(crate) fn exchange(fluid: &mut Fluid, sweep: &mut Sweep, shift: &[Vec2], dt: f64) {
     let (ghosts, places, memory) = (&sweep.ghosts, &sweep.places, &mut sweep.memory.shifting);
-    let law = Exchange {
-        mean_ring: mean_ring(fluid.geometry),
-        dt,
-    };
+    let law = Exchange { dt };
+    let geometry = fluid.geometry;
+    let image = |plane: &Plane, p| image(geometry, plane, p);
     places.sum(
         &law,
         ghosts,
@@ -105,12 +107,17 @@ pub(crate) fn exchange(fluid: &mut Fluid, sweep: &mut Sweep, shift: &[Vec2], dt:
         image,
         memory,
     );
-    let share = |a: usize| {
-        let given = -memory.results[places.place(a)].given;
-        (LARGEST_SHARE * fluid.volume[a] / given.max(f64::MIN_POSITIVE)).min(1.0)
-    };
-    let limited = (0..fluid.len()).filter(|a| share(*a) < 1.0).count();
+    let given = |a: usize| -memory.results[places.place(a)].given;
+    let limited = (0..fluid.len())
+        .into_par_iter()
+        .with_min_len(PARTICLES_PER_TASK)
+        .filter(|a| given(*a) > LARGEST_SHARE * fluid.volume[*a])
+        .count();
     if limited > 0 {
+        let share = |a: usize| {
+            let given = given(a).max(f64::MIN_POSITIVE);
+            (LARGEST_SHARE * fluid.volume[a] / given).min(1.0)
+        };
         let share: Vec<f64> = (0..fluid.len()).map(share).collect();
         places.sum(
             &law,
@@ -157,15 +164,16 @@ fn particle(fluid: &Fluid, shift: &[Vec2], a: usize, share: f64) -> Particle {
         area: fluid.area(a),
         shift_x,
         shift_y,
-        strain_rate: fluid.strain_rate[a],
+        levelling: LEVELLING * fluid.strain_rate[a],
         density: fluid.density(a),
+        half_ring: half_ring(fluid.geometry, x),
         u,
         v,
         share,
     }
 }
 
-fn image(plane: &Plane, p: Particle) -> Particle {
+fn image(geometry: Geometry, plane: &Plane, p: Particle) -> Particle {
     let [x, y] = plane.mirror([p.x, p.y]);
     let [u, v] = plane.mirror_velocity([p.u, p.v]);
     let [shift_x, shift_y] = plane.mirror_direction([p.shift_x, p.shift_y]);
@@ -176,6 +184,7 @@ fn image(plane: &Plane, p: Particle) -> Particle {
         v,
         shift_x,
         shift_y,
+        half_ring: half_ring(geometry, x),
         ..p
     }
 }
@@ -222,12 +231,11 @@ impl Exchange {
         let both = a.area + b.area;
         let (pair, inverse_both) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], both);
         let shift = [a.shift_x + b.shift_x, a.shift_y + b.shift_y];
-        let along = dot(shift, pair.separation) * pair.gradient_factor();
-        let strain = (a.strain_rate + b.strain_rate) * S::splat(LEVELLING);
-        let levelling = strain * pair.kernel() * ((b.area - a.area) * inverse_both);
-        let ring = (a.x + b.x)
-            .abs()
-            .mul_add(S::splat(self.mean_ring[0]), S::splat(self.mean_ring[1]));
-        S::splat(self.dt) * (ring * (a.area * b.area)) * (along + levelling)
+        let along = dot(shift, pair.separation) * pair.gradient;
+        // Twice the mean rate, 2 |grad v| times LEVELLING.
+        let rate = (a.levelling + b.levelling) * pair.kernel;
+        let difference = (b.area - a.area) * inverse_both;
+        let ring = (a.half_ring + b.half_ring).abs() * S::splat(self.dt);
+        ring * (a.area * b.area) * rate.mul_add(difference, along)
     }
 }

@@ -146,10 +146,13 @@ impl Fluid {
     }
 
     fn keep_kinematics(&mut self, kinematics: &[Kinematics]) {
-        for (a, k) in kinematics.iter().enumerate() {
-            self.support[a] = k.support;
-            self.strain_rate[a] = super::shifting::norm(&k.gradient);
-        }
+        (self.support.par_iter_mut().zip(&mut self.strain_rate))
+            .zip(kinematics)
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|((support, strain_rate), k)| {
+                *support = k.support;
+                *strain_rate = shifting::norm(&k.gradient);
+            });
     }
 
     /// Dissipation and work of the far field during one step.

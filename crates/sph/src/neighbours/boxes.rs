@@ -29,7 +29,7 @@ impl Extent {
     pub(crate) fn of(points: &Points) -> Self {
         let mut extent = Self::EMPTY;
         for i in (0..LANES).filter(|i| points[2][*i] > 0.0) {
-            for k in 0..2 {
+            for k in [0, 1] {
                 extent.lower[k] = extent.lower[k].min(points[k][i]);
                 extent.upper[k] = extent.upper[k].max(points[k][i]);
             }

@@ -128,10 +128,75 @@ impl Task for Search<'_> {
 fn within_reach<S: Simd>(own: &Points, other: &Points) -> u8 {
     let [x, y, reach] = other.each_ref().map(S::load);
     let mut bits = 0;
-    for i in 0..LANES {
-        let (dx, dy) = (x - S::splat(own[0][i]), y - S::splat(own[1][i]));
-        let r = reach + S::splat(own[2][i]);
+    for ((&own_x, &own_y), &own_reach) in own[0].iter().zip(&own[1]).zip(&own[2]) {
+        let (dx, dy) = (x - S::splat(own_x), y - S::splat(own_y));
+        let r = reach + S::splat(own_reach);
         bits |= S::bits(dx.mul_add(dx, dy * dy).lt(r * r));
     }
     bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::neighbours::boxes::NO_POINTS;
+    use crate::neighbours::order::compact_order;
+
+    /// Random points with reaches in a ratio of 1:8, in compact order, the last places of the groups empty.
+    fn groups(n: usize) -> Vec<Points> {
+        let mut state = n as u64;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let x: Vec<[f64; 2]> = (0..n).map(|_| [next(), 2.0 * next()]).collect();
+        let reach: Vec<f64> = x.iter().map(|x| 0.01 * (1.0 + 7.0 * x[0])).collect();
+        let group = |members: &[u32]| {
+            let mut points = NO_POINTS;
+            for (i, &a) in members.iter().enumerate() {
+                let a = a as usize;
+                [points[0][i], points[1][i], points[2][i]] = [x[a][0], x[a][1], reach[a]];
+            }
+            points
+        };
+        compact_order(&x).chunks(LANES).map(group).collect()
+    }
+
+    #[test]
+    fn lists_hold_what_brute_force_finds() {
+        let mut lists = ClusterLists::default();
+        // Down to nothing again, with the memory of before.
+        for n in [3, 700, 5000, 64, 9, 0] {
+            let groups = groups(n);
+            let clusters = groups.len() / 2;
+            let divide = (groups.len() * 3 / 4) * LANES;
+            lists.rebuild(&groups, clusters, divide);
+            let near = |own: &Points, b: usize| {
+                let other = &groups[b / LANES];
+                (0..LANES).any(|i| {
+                    let d = [0, 1].map(|k| own[k][i] - other[k][b % LANES]);
+                    d[0].hypot(d[1]) < own[2][i] + other[2][b % LANES]
+                })
+            };
+            let mut begin = 0;
+            for c in 0..clusters {
+                let block = &lists.blocks[c / BLOCK];
+                if c % BLOCK == 0 {
+                    begin = 0;
+                }
+                let [divided, end] = block.ends[c % BLOCK].map(|e| e as usize);
+                let found = &block.neighbour[begin..end];
+                let expected: Vec<u32> = (0..groups.len() * LANES)
+                    .filter(|b| near(&groups[c], *b))
+                    .map(|b| b as u32)
+                    .collect();
+                assert_eq!(found, expected, "{n} points, cluster {c}");
+                let before = expected.iter().filter(|b| (**b as usize) < divide).count();
+                assert_eq!(divided - begin, before);
+                begin = end;
+            }
+        }
+    }
 }
