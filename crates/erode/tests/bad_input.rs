@@ -178,6 +178,18 @@ fn a_bubble_outside_the_liquid_is_refused() {
 }
 
 #[test]
+fn a_bubble_that_reaches_through_the_wall_is_refused() {
+    let folder = Folder::new();
+    let (text, _) = changed("wall", "wall = \"steel_a2205\"\nwall_depth = 0.4");
+    let text = text.replace("standoff = 1.33", "standoff = 0.33");
+    let said = flat(&refused(&folder.file(text), &[]));
+    assert!(
+        said.contains("reaches through the wall") && said.contains("here they are 0.730"),
+        "{said}"
+    );
+}
+
+#[test]
 fn all_errors_come_in_one_pass() {
     let folder = Folder::new();
     let text = CASE

@@ -258,7 +258,8 @@ impl Colour {
                 }
             }
         }
-        let on_axis = self.geometry == Geometry::Axisymmetric && inner < self.window.cell;
+        // In plane, x = 0 is the plane of symmetry of a bubble that lies on it.
+        let on_axis = inner < self.window.cell && self.window.lower[0] == 0.0;
         let centre = [
             if on_axis { 0.0 } else { moment[0] / volume },
             moment[1] / volume,

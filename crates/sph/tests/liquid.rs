@@ -1,5 +1,7 @@
 //! The liquid's step: the same bits by all widths and any number of threads, nothing lost.
 
+#![allow(clippy::unwrap_used)]
+
 use erode_physics::eos::Tait;
 use erode_sph::Geometry;
 use erode_sph::fluid::corrected::Settings;

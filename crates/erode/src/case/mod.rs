@@ -41,7 +41,7 @@ mod simulation;
 pub(crate) mod suggest;
 #[cfg(test)]
 mod tests;
-mod units;
+pub(crate) mod units;
 
 pub use advice::check_advice;
 pub use cloud_flow::Flow;

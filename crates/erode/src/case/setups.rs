@@ -59,6 +59,7 @@ impl NearWall {
     fn read(f: Fields<'_>, findings: &mut Findings) -> Option<Self> {
         check_inside(f, "height", "top of the bubble", findings);
         check_inside(f, "width", "side of the bubble", findings);
+        check_far_side(f, findings);
         let radius = f.number("radius")?;
         let distance = f.number("standoff")? * radius;
         let spacing = radius / f.number("particles_per_radius")?;
@@ -290,6 +291,24 @@ pub(super) fn symmetry(geometry: Geometry) -> Side {
     match geometry {
         Geometry::Axisymmetric => Side::Axis,
         Geometry::Plane => Side::Rigid,
+    }
+}
+
+/// A bubble that the wall cuts must not reach through it.
+fn check_far_side(f: Fields<'_>, findings: &mut Findings) {
+    let numbers = f.number("standoff").zip(f.number("wall_depth"));
+    if let Some((standoff, depth)) = numbers
+        && standoff + depth < 1.0
+    {
+        let message = format!(
+            "the bubble reaches through the wall: it lies {:.3} radii below its surface, which is {depth} radii thick",
+            1.0 - standoff
+        );
+        let help = format!(
+            "`standoff` + `wall_depth` must be 1 at least; here they are {:.3}",
+            standoff + depth
+        );
+        findings.error(f.at("standoff"), message, "beyond the far side", help);
     }
 }
 

@@ -79,6 +79,28 @@ pub(crate) enum Command {
     )]
     #[command(after_long_help = "Example:\n  erode report runs/first")]
     Report(ReportArgs),
+    /// Many runs of one case: lists and grids of values, one table of results
+    #[command(
+        long_about = "Does many runs of one case as a sweep file says. Its keys: title; case (file or folder, relative to \
+                            the sweep file); [set] for all runs; [grid] with lists of which every combination is run; [zip] \
+                            with lists whose first values are taken together, then the second ones, and so on; [[run]] for \
+                            runs one by one; [quick] with settings of --quick. All keys under them are those of `--set`.\n\n\
+                            All cases are checked, and the cost is told, before the first run. Complete runs are skipped, \
+                            begun ones go on, a failed one stops none. Results: results.csv, results.parquet, report.html. \
+                            A changed sweep is refused in the folder of an old one, with the difference."
+    )]
+    #[command(after_long_help = "Example of a sweep file:
+  case = \"cases/bubble-near-steel\"
+  [set]
+  \"setup.bubble_near_wall.particles_per_radius\" = 15
+  [grid]
+  \"setup.bubble_near_wall.standoff\" = [0.66, 1.0, 1.33]
+  \"setup.bubble_near_wall.driving_pressure\" = [\"25 MPa\", \"50 MPa\"]
+
+Examples:
+  erode sweep standoff.toml --dry-run
+  erode sweep standoff.toml -o sweeps/standoff --threads 2")]
+    Sweep(SweepArgs),
     /// Compare with references: result, error, tolerance
     #[command(
         long_about = "Runs validations and prints reference, result, error and tolerance of each. Without names, \
@@ -96,7 +118,11 @@ pub(crate) enum Command {
     )]
     #[command(after_long_help = "Examples:
   erode reproduce peters-fig-11
-  erode reproduce peters-fig-13 peters-fig-14 -o figures --json figures.json")]
+  erode reproduce peters-fig-13 peters-fig-14 -o figures --json figures.json
+  erode reproduce 'joshi-fig-7.*' --quick --dry-run
+  erode reproduce 'joshi-fig-7.*' --quick
+
+What is made of runs keeps them in DIR/runs, shared between figures: complete ones are not done again.")]
     Reproduce(ReproduceArgs),
     /// The material library, with sources
     #[command(
@@ -184,6 +210,31 @@ pub(crate) struct ReportArgs {
     pub(crate) dir: PathBuf,
 }
 
+/// `erode sweep`
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    /// Sweep file
+    pub(crate) file: PathBuf,
+    /// Folder for runs and results; sweeps/NAME when left out
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// With the settings under [quick]
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Show the runs and their cost, and run nothing
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Go on in the folder of an old sweep although the sweep has changed
+    #[arg(long)]
+    pub(crate) accept_changes: bool,
+    /// Number of threads; all cores when left out; results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) threads: Option<u16>,
+    /// Write the results to a file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+}
+
 /// `erode validate`
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
@@ -213,6 +264,18 @@ pub(crate) struct ReproduceArgs {
     /// Folder for the figures
     #[arg(short, long, value_name = "DIR", default_value = "reproduced")]
     pub(crate) output: PathBuf,
+    /// Low resolution, for what is made of runs
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Resolution of what is made of runs; 20 in the quick form, 60 in the full one
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..))]
+    pub(crate) particles_per_radius: Option<u32>,
+    /// Show the runs and their cost, and run nothing
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Number of threads; all cores when left out; results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) threads: Option<u16>,
     /// Write the results to a file
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,

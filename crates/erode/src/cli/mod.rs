@@ -11,6 +11,7 @@ mod reproduce;
 mod run;
 mod say;
 mod status;
+mod sweep;
 mod validate;
 
 use args::{Cli, Command};
@@ -48,6 +49,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Run(args) => run::run(args),
         Command::Resume(args) => run::resume(args),
         Command::Report(args) => status::report(args),
+        Command::Sweep(args) => sweep::sweep(args),
         Command::Validate(args) => validate::run(args),
         Command::Reproduce(args) => reproduce::run(args),
         Command::Status(args) => status::status(args),

@@ -67,7 +67,7 @@ fn default_folder(case: &Path) -> PathBuf {
 }
 
 /// Raised by Ctrl-C and SIGTERM; a second signal ends the program at once.
-fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
+pub(super) fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
     let stop = Arc::new(AtomicBool::new(false));
     for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
         let registered = signal_hook::flag::register_conditional_shutdown(

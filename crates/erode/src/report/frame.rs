@@ -185,7 +185,8 @@ impl Frame {
     }
 
     fn x_ticks(&self) -> Vec<(f64, String)> {
-        self.x.ticks((self.width / 80.0) as usize)
+        // A narrow picture has three at least.
+        self.x.ticks((self.width / 80.0).max(3.0) as usize)
     }
 
     fn y_ticks(&self) -> Vec<(f64, String)> {

@@ -17,6 +17,7 @@ table{border-collapse:collapse;margin:10px 0;font-variant-numeric:tabular-nums}\
 th,td{padding:5px 16px 5px 0;text-align:left;border-bottom:1px solid #e4e6ea;vertical-align:top}\
 th{font-weight:600;color:#414a55;border-bottom:2px solid #d5dae1}\
 .figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(540px,1fr));gap:18px 22px;align-items:start}\
+.multiples{grid-template-columns:repeat(auto-fit,minmax(350px,1fr))}\
 figure{margin:6px 0}\
 figure svg{max-width:100%;height:auto;display:block}\
 figcaption{color:#414a55;font-size:13.5px;margin:4px 0 0;max-width:640px}\
@@ -85,7 +86,16 @@ impl Page {
 
     /// A group of figures side by side, as many as fit; each is SVG text and a caption.
     pub(crate) fn figures(&mut self, figures: &[(String, String)]) {
-        self.body.push_str("<div class=\"figures\">\n");
+        self.group("figures", figures);
+    }
+
+    /// A group of small figures, three beside each other.
+    pub(crate) fn multiples(&mut self, figures: &[(String, String)]) {
+        self.group("figures multiples", figures);
+    }
+
+    fn group(&mut self, class: &str, figures: &[(String, String)]) {
+        let _ = writeln!(self.body, "<div class=\"{class}\">");
         for (svg, caption) in figures {
             let _ = writeln!(
                 self.body,

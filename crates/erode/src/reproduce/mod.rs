@@ -3,18 +3,35 @@
 //! A figure itself is not digitised here: what is judged is what the source says in words and numbers. A statement that is not
 //! met stays on the list with its cause; nothing is tuned to it. Each source has a file with a list of [`Reproduction`]s.
 
+mod joshi;
 mod peters;
 mod peters_vortex;
+mod session;
 mod write;
 
+pub use session::{Judged, Options, Session};
 pub use write::write;
 
+use crate::sweep::{Picture, SweepError};
 use crate::validate::{Check, Failure, Finding, Outcome};
+use session::Need;
 use std::time::Instant;
 use thiserror::Error;
 
 /// Computes a reproduction and says what it does.
 type Run = fn(&mut dyn FnMut(&str)) -> Result<Finding, Failure>;
+
+/// How a reproduction is done.
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    /// By itself.
+    Alone(Run),
+    /// From runs that it may share with others.
+    OfRuns {
+        needs: fn(&Options) -> Vec<Need>,
+        judge: fn(&Session) -> Result<Judged, Failure>,
+    },
+}
 
 /// A figure or table of a source.
 #[derive(Debug, Clone, Copy)]
@@ -25,13 +42,22 @@ pub struct Reproduction {
     pub shows: &'static str,
     /// Source with section.
     pub source: &'static str,
-    run: Run,
+    kind: Kind,
+}
+
+/// What came out of a reproduction.
+#[derive(Debug, Clone)]
+pub struct Reproduced {
+    /// Statements of the source with what this program says.
+    pub outcome: Outcome,
+    /// Pictures of fields.
+    pub pictures: Vec<Picture>,
 }
 
 /// Every reproduction there is, source by source.
 #[must_use]
 pub fn all() -> Vec<Reproduction> {
-    [&peters::ALL[..], &peters_vortex::ALL[..]].concat()
+    [&peters::ALL[..], &peters_vortex::ALL[..], &joshi::ALL[..]].concat()
 }
 
 /// No such reproduction.
@@ -61,22 +87,72 @@ pub fn find(id: &str) -> Result<Reproduction, Unknown> {
         })
 }
 
-impl Reproduction {
-    /// Computes it. A calculation that fails is an outcome like any other.
-    pub fn compute(&self, say: &mut dyn FnMut(&str)) -> Outcome {
-        let start = Instant::now();
-        let (finding, failure) = match (self.run)(say) {
-            Ok(finding) => (finding, None),
-            Err(failure) => (Finding::default(), Some(failure.to_string())),
+/// The reproductions of some IDs; one that ends in `*` stands for all that begin like it.
+///
+/// # Errors
+/// If there is none of an ID, with the list and the nearest one.
+pub fn select(ids: &[String]) -> Result<Vec<Reproduction>, Unknown> {
+    let mut chosen: Vec<Reproduction> = Vec::new();
+    for id in ids {
+        let found: Vec<Reproduction> = match id.strip_suffix('*') {
+            Some(head) => all()
+                .into_iter()
+                .filter(|r| r.id.starts_with(head))
+                .collect(),
+            None => vec![find(id)?],
         };
-        Outcome {
+        if found.is_empty() {
+            // The error is that of an unknown ID.
+            find(id)?;
+        }
+        for r in found {
+            if !chosen.iter().any(|c| c.id == r.id) {
+                chosen.push(r);
+            }
+        }
+    }
+    Ok(chosen)
+}
+
+/// The runs that some reproductions need, each once, with their cost; nothing is run.
+///
+/// # Errors
+/// If the folder cannot be written.
+pub fn session(chosen: &[Reproduction], options: Options) -> Result<Session, SweepError> {
+    let needs = chosen.iter().flat_map(|r| match r.kind {
+        Kind::Alone(_) => Vec::new(),
+        Kind::OfRuns { needs, .. } => needs(&options),
+    });
+    let needs: Vec<Need> = needs.collect();
+    Session::prepare(options, &needs)
+}
+
+impl Reproduction {
+    /// Computes it, from the runs of a session where it is made of runs. A calculation that fails is an outcome like any
+    /// other.
+    pub fn compute(&self, session: &Session, say: &mut dyn FnMut(&str)) -> Reproduced {
+        let start = Instant::now();
+        let judged = match self.kind {
+            Kind::Alone(run) => run(say).map(Judged::from),
+            Kind::OfRuns { judge, .. } => judge(session),
+        };
+        let (judged, failure) = match judged {
+            Ok(judged) => (judged, None),
+            Err(failure) => (Judged::default(), Some(failure.to_string())),
+        };
+        let of_runs = matches!(self.kind, Kind::OfRuns { .. });
+        let outcome = Outcome {
             name: self.id.into(),
             description: self.shows.into(),
             reference: self.source.into(),
-            quick: false,
-            finding,
+            quick: of_runs && session.options.quick,
+            finding: judged.finding,
             failure,
             seconds: start.elapsed().as_secs_f64(),
+        };
+        Reproduced {
+            outcome,
+            pictures: judged.pictures,
         }
     }
 }
@@ -106,6 +182,50 @@ mod tests {
         let message = find("peters-fig-1").unwrap_err().to_string();
         assert!(message.contains("did you mean `peters-fig-"), "{message}");
         assert_eq!(find("peters-fig-17").unwrap().id, "peters-fig-17");
+    }
+
+    #[test]
+    fn a_star_stands_for_all_that_begin_alike() {
+        let ids = |patterns: &[&str]| -> Vec<&str> {
+            let patterns: Vec<String> = patterns.iter().map(|p| (*p).to_owned()).collect();
+            select(&patterns).unwrap().iter().map(|r| r.id).collect()
+        };
+        assert_eq!(ids(&["joshi-fig-7.*"]).len(), 9);
+        assert_eq!(
+            ids(&["joshi-table-4.*", "joshi-table-4.2"]),
+            ["joshi-table-4.1", "joshi-table-4.2"]
+        );
+        assert!(select(&["joshi-fig-9*".to_owned()]).is_err());
+    }
+
+    /// Each figure by itself and all of chapter 7 together: every case is correct, shared runs are counted once.
+    #[test]
+    fn the_cases_of_all_runs_are_correct() {
+        let folder = tempfile::tempdir().unwrap();
+        for quick in [true, false] {
+            let options = Options {
+                folder: folder.path().to_path_buf(),
+                quick,
+                particles_per_radius: None,
+                threads: None,
+            };
+            let chapter = select(&["joshi-fig-7.*".to_owned()]).unwrap();
+            let runs = session(&chapter, options.clone()).unwrap().runs;
+            // Seven stand-offs, four more pressures, two more radii, three without strain-rate effect.
+            assert_eq!(runs.len(), 16);
+            assert!(runs.iter().all(|(r, _)| r.seconds > 0.0));
+            let all = select(&["joshi-*".to_owned()]).unwrap();
+            let names: Vec<String> = session(&all, options)
+                .unwrap()
+                .runs
+                .iter()
+                .map(|(r, _)| r.hash.clone())
+                .collect();
+            let mut different = names.clone();
+            different.sort();
+            different.dedup();
+            assert_eq!(different.len(), names.len(), "two names for one case");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Figures 8, 9, 11 and 17 of Peters and el Moctar 2020: nuclei, asymmetric collapse, acoustic bubble, rising bubble.
 
-use super::{Reproduction, at_most};
+use super::{Kind, Reproduction, at_most};
 use crate::validate::{self, Check, Failure, Figure, Finding, Style};
 use erode_physics::bubble::{
     BubbleState, Controls, DenseStep, Driving, Event, EventKind, Liquid, Model, Sine, Switching,
@@ -14,25 +14,25 @@ pub(super) const ALL: [Reproduction; 4] = [
         id: "peters-fig-8",
         shows: "density of probability of the equilibrium radii of nuclei",
         source: "Peters and el Moctar 2020, section 3.6, eq. 3.44",
-        run: figure_8,
+        kind: Kind::Alone(figure_8),
     },
     Reproduction {
         id: "peters-fig-9",
         shows: "pressure of an asymmetric collapse over that of a spherical one against stand-off",
         source: "Peters and el Moctar 2020, section 3.7.2, eqs 3.57 to 3.59",
-        run: figure_9,
+        kind: Kind::Alone(figure_9),
     },
     Reproduction {
         id: "peters-fig-11",
         shows: "radius and inner pressure of a bubble in an acoustic field, switching law",
         source: "Peters and el Moctar 2020, section 4.1",
-        run: figure_11,
+        kind: Kind::Alone(figure_11),
     },
     Reproduction {
         id: "peters-fig-17",
         shows: "rise velocity of a bubble from rest, one-way coupling",
         source: "Peters and el Moctar 2020, section 4.3",
-        run: figure_17,
+        kind: Kind::Alone(figure_17),
     },
 ];
 

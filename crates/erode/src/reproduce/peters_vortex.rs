@@ -1,6 +1,6 @@
 //! Figures 13 to 16 of Peters and el Moctar 2020: bubbles in a vortex, with corrected forces, nothing tuned.
 
-use super::{Reproduction, at_most};
+use super::{Kind, Reproduction, at_most};
 use crate::validate::bubble_vortex::ride::{Ride, START, Setup};
 use crate::validate::{Check, Failure, Figure, Finding, Style};
 use erode_fv::bubbles::carrier::VortexForm;
@@ -14,25 +14,25 @@ pub(super) const ALL: [Reproduction; 4] = [
         id: "peters-fig-13",
         shows: "paths of bubbles of 0.8, 2 and 5 mm in a vortex",
         source: SOURCE,
-        run: figure_13,
+        kind: Kind::Alone(figure_13),
     },
     Reproduction {
         id: "peters-fig-14",
         shows: "their distance from the axis and their radius over time",
         source: SOURCE,
-        run: figure_14,
+        kind: Kind::Alone(figure_14),
     },
     Reproduction {
         id: "peters-fig-15",
         shows: "a bubble of 2 mm at three cavitation numbers: distance and radius over time",
         source: SOURCE,
-        run: figure_15,
+        kind: Kind::Alone(figure_15),
     },
     Reproduction {
         id: "peters-fig-16",
         shows: "paths of a bubble of 2 mm with all forces, without drag, without pressure gradient",
         source: SOURCE,
-        run: figure_16,
+        kind: Kind::Alone(figure_16),
     },
 ];
 

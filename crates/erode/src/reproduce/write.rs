@@ -1,16 +1,18 @@
 //! The files of a reproduction: its figures as SVG and one HTML page with the comparison.
 
+use super::Reproduced;
 use crate::output::OutputError;
 use crate::output::atomic::write_atomic;
 use crate::report::html::Page;
-use crate::validate::{Outcome, text};
+use crate::validate::{Kind, text};
 use std::path::{Path, PathBuf};
 
 /// Writes `ID.html` and `ID-NAME.svg` into a folder, which is made; the path of the page.
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn write(folder: &Path, outcome: &Outcome) -> Result<PathBuf, OutputError> {
+pub fn write(folder: &Path, reproduced: &Reproduced) -> Result<PathBuf, OutputError> {
+    let outcome = &reproduced.outcome;
     std::fs::create_dir_all(folder).map_err(|cause| OutputError::NotWritable {
         path: folder.to_path_buf(),
         cause,
@@ -31,6 +33,11 @@ pub fn write(folder: &Path, outcome: &Outcome) -> Result<PathBuf, OutputError> {
         figures.push((svg, figure.title.clone()));
     }
     page.figures(&figures);
+    let pictures = reproduced.pictures.iter();
+    let pictures: Vec<(String, String)> = pictures
+        .map(|p| (p.svg.clone(), p.caption.clone()))
+        .collect();
+    page.multiples(&pictures);
     page.section("Comparison with what the source states");
     page.details("as printed by `erode reproduce`", &text(outcome));
     let rows: Vec<Vec<String>> = outcome
@@ -38,8 +45,15 @@ pub fn write(folder: &Path, outcome: &Outcome) -> Result<PathBuf, OutputError> {
         .checks
         .iter()
         .map(|c| {
-            let verdict = if c.passed { "met" } else { "not met" };
-            let number = |x: Option<f64>| x.map_or("-".into(), |x| format!("{x:.4e}"));
+            let verdict = match (c.kind, c.passed) {
+                (Kind::Shown, _) => "not judged",
+                (_, true) => "met",
+                (_, false) => "not met",
+            };
+            let number = |x: Option<f64>| match x.filter(|x| !x.is_nan()) {
+                Some(x) => format!("{x:.4e}"),
+                None => "-".into(),
+            };
             vec![
                 c.quantity.clone(),
                 number(Some(c.value)),

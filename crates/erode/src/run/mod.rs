@@ -6,6 +6,7 @@ mod course;
 mod drive;
 mod error;
 mod files;
+mod impact;
 mod ledger;
 mod loads;
 mod monitor;

@@ -1,6 +1,7 @@
 //! What is watched while a run goes on: the bubble, the jet, the wall, the metal, the energy.
 
 use super::ledger::Ledger;
+use crate::analysis::half_width;
 use crate::case::{Bubble, Simulation};
 use crate::output::Column;
 use erode_sph::cavity::{Cavity, Colour, Window};
@@ -22,10 +23,10 @@ const SMALLEST_VOID: usize = 8;
 const JET_GAP: f64 = 0.2;
 
 /// The bubble counts as collapsed when less than this share of its initial volume is left.
-const COLLAPSED: f64 = 0.02;
+pub(crate) const COLLAPSED: f64 = 0.02;
 
 /// Plastic strain above which a particle counts as yielded.
-const YIELDED: f64 = 1e-6;
+pub(crate) const YIELDED: f64 = 1e-6;
 
 /// Extremes and events since the start: part of a checkpoint.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -48,6 +49,9 @@ pub(crate) struct Record {
     pub jet_speed: Option<f64>,
     /// Time of that, s.
     pub jet_time: Option<f64>,
+    /// Half-width of the jet at that time, m.
+    #[serde(default)]
+    pub jet_half_width: Option<f64>,
     /// Largest pressure in the liquid, Pa.
     pub max_pressure: f64,
     /// Largest energy that the boundaries put in and the start held, J.
@@ -73,6 +77,8 @@ pub struct BubbleState {
     pub volume: f64,
     /// Height of the centroid, m.
     pub centre: f64,
+    /// Distance of the centroid from the axis, m: zero for a void on the axis.
+    pub centre_r: f64,
     /// Voids.
     pub parts: usize,
     /// Distance of the largest void from the axis, m: positive for a toroid.
@@ -81,6 +87,8 @@ pub struct BubbleState {
     pub gap: f64,
     /// Mean velocity of the liquid at the upper side on the axis towards the wall, m/s; NaN without a void on the axis.
     pub jet_speed: f64,
+    /// Distance from the axis at which that velocity has fallen to half, m; NaN without a void on the axis.
+    pub jet_half_width: f64,
 }
 
 /// Columns of `history.csv`.
@@ -92,10 +100,12 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("bubble_volume", "m3"),
             ("bubble_radius", "m"),
             ("bubble_centre", "m"),
+            ("bubble_centre_r", "m"),
             ("bubble_parts", "-"),
             ("bubble_inner_radius", "m"),
             ("jet_gap", "m"),
             ("jet_speed", "m/s"),
+            ("jet_half_width", "m"),
         ]);
     }
     names.extend([
@@ -163,10 +173,12 @@ pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
     let nothing = BubbleState {
         volume: 0.0,
         centre: f64::NAN,
+        centre_r: f64::NAN,
         parts: 0,
         inner_radius: f64::NAN,
         gap: 0.0,
         jet_speed: f64::NAN,
+        jet_half_width: f64::NAN,
     };
     let Some(fluid) = liquid(world) else {
         return nothing;
@@ -195,14 +207,28 @@ pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
     };
     let volume: f64 = cavities.iter().map(|c| c.volume).sum();
     let on_axis = cavities.iter().find(|c| c.inner_radius == 0.0);
+    let mean = |k: usize| cavities.iter().map(|c| c.volume * c.centre[k]).sum::<f64>() / volume;
     BubbleState {
         volume,
-        centre: cavities.iter().map(|c| c.volume * c.centre[1]).sum::<f64>() / volume,
+        centre: mean(1),
+        centre_r: mean(0),
         parts: cavities.len(),
         inner_radius: largest.inner_radius,
         gap: on_axis.map_or(0.0, Cavity::gap),
         jet_speed: on_axis.map_or(f64::NAN, |c| tip_speed(fluid, [0.0, c.axis_extent[1]])),
+        jet_half_width: on_axis.map_or(f64::NAN, |c| jet_width(fluid, c.axis_extent[1])),
     }
+}
+
+/// Half-width of the jet one smoothing length above its tip, NaN where it has none.
+fn jet_width(fluid: &Fluid, tip: f64) -> f64 {
+    let finest = fluid
+        .smoothing_length
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    let speed: Vec<f64> = fluid.velocity.iter().map(|v| -v[1]).collect();
+    half_width(&fluid.position, &speed, tip + finest, 0.5 * finest).unwrap_or(f64::NAN)
 }
 
 /// Kernel mean of the velocity towards smaller z just above `tip`.
@@ -220,7 +246,7 @@ fn tip_speed(fluid: &Fluid, tip: Vec2) -> f64 {
     for a in 0..fluid.len() {
         let d = distance(fluid.position[a], tip);
         if d < reach && fluid.position[a][1] > tip[1] - fluid.smoothing_length[a] {
-            let w = fluid.mass[a] / fluid.position[a][0];
+            let w = fluid.mass[a] / fluid.geometry.ring(fluid.position[a][0]);
             sum -= w * fluid.velocity[a][1];
             weight += w;
         }
@@ -260,10 +286,12 @@ pub(crate) fn row(
             state.volume,
             radius,
             state.centre,
+            state.centre_r,
             parts,
             state.inner_radius,
             state.gap,
             state.jet_speed,
+            state.jet_half_width,
         ]);
     }
     let fluids = liquid(world);
@@ -338,6 +366,7 @@ impl Record {
         }
         if self.jet_time.is_none() && state.jet_speed.is_finite() {
             self.jet_speed = Some(state.jet_speed);
+            self.jet_half_width = Some(state.jet_half_width).filter(|w| w.is_finite());
         }
     }
 
@@ -392,7 +421,9 @@ impl Metal {
             plastic_volume: (0..s.len())
                 .filter(yielded)
                 .map(|a| s.reference.volume[a])
-                .sum(),
+                // A sum of nothing is -0 in Rust.
+                .sum::<f64>()
+                + 0.0,
             depth: pit_depth(s),
         }
     }

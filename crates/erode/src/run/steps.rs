@@ -4,7 +4,7 @@ use super::course::Course;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
-use super::{RunError, loads, results, state, watch};
+use super::{RunError, impact, loads, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{
     Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
@@ -267,7 +267,8 @@ impl Course for Run {
         let wall_time = record.wall_time;
         let threads = rayon::current_num_threads();
         let (world, simulation) = (&self.world, &self.simulation);
-        let summary = results::summary(world, simulation, &record, wall_time, threads);
+        let mut summary = results::summary(world, simulation, &record, wall_time, threads);
+        impact::add(&mut summary, world, simulation, &record, self.files.paths());
         let words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
             world.step,

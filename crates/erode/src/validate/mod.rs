@@ -25,7 +25,7 @@ mod materials;
 mod number;
 mod rayleigh_collapse;
 mod rows;
-mod steel_lattice;
+pub(crate) mod steel_lattice;
 mod stress_waves;
 pub(crate) mod table;
 mod taylor_bar;

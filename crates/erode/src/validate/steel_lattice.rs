@@ -8,24 +8,24 @@ use erode_sph::solid::{Block, Face, Formulation, Numerics, Setup, Solid};
 
 /// What the rectangle is like; its lower left corner is the origin.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lattice {
-    pub(super) geometry: Geometry,
+pub(crate) struct Lattice {
+    pub(crate) geometry: Geometry,
     /// Width and height, m.
-    pub(super) size: [f64; 2],
-    pub(super) spacing: f64,
+    pub(crate) size: [f64; 2],
+    pub(crate) spacing: f64,
     /// Left, right, bottom, top.
-    pub(super) faces: [Face; 4],
-    pub(super) formulation: Formulation,
+    pub(crate) faces: [Face; 4],
+    pub(crate) formulation: Formulation,
 }
 
 impl Lattice {
     /// Columns and rows.
-    pub(super) fn count(&self) -> [usize; 2] {
+    pub(crate) fn count(&self) -> [usize; 2] {
         self.size.map(|s| (s / self.spacing).round() as usize)
     }
 
     /// The body at rest.
-    pub(super) fn build(&self) -> Result<Solid, Failure> {
+    pub(crate) fn build(&self) -> Result<Solid, Failure> {
         let (density, elastic, strength) = steel_without_rate()?;
         let ([columns, rows], dx) = (self.count(), self.spacing);
         let place = |k: usize| [k % columns, k / columns].map(|i| (i as f64 + 0.5) * dx);
@@ -56,7 +56,7 @@ impl Lattice {
     }
 
     /// Values along the material line at height `z`, from r = 0 to `end`: (reference r, value), by a cubic through four rows.
-    pub(super) fn line(&self, z: f64, end: f64, value: impl Fn(usize) -> f64) -> Vec<[f64; 2]> {
+    pub(crate) fn line(&self, z: f64, end: f64, value: impl Fn(usize) -> f64) -> Vec<[f64; 2]> {
         let ([columns, rows], dx) = (self.count(), self.spacing);
         let row = z / dx - 0.5;
         let first = (row.floor() as usize).clamp(1, rows - 3) - 1;
@@ -83,7 +83,7 @@ impl Lattice {
 impl Lattice {
     /// Largest plastic strain: of the particles and, by even parabolas across it, of the axis or plane of symmetry on the
     /// left, there by parabolas between the rows too.
-    pub(super) fn peak_strain(&self, solid: &Solid) -> f64 {
+    pub(crate) fn peak_strain(&self, solid: &Solid) -> f64 {
         let ([columns, rows], strain) = (self.count(), &solid.state.plastic_strain);
         let on_axis = |j: usize| (9.0 * strain[columns * j] - strain[columns * j + 1]) / 8.0;
         let between = |j: usize| {

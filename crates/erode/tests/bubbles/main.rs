@@ -6,3 +6,4 @@ mod cloud;
 mod common;
 mod reproduce;
 mod single;
+mod sweep;

@@ -3,6 +3,7 @@
 pub(super) mod asked;
 pub(super) mod bubble;
 pub(super) mod bubble_cloud;
+pub(super) mod end;
 pub(super) mod energy;
 pub(super) mod fields;
 pub(super) mod load;

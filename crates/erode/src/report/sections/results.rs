@@ -7,7 +7,7 @@ use crate::report::run_data::RunData;
 use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
-const KEY_RESULTS: [(&str, &str); 29] = [
+const KEY_RESULTS: [(&str, &str); 36] = [
     (
         "collapse_time",
         "Collapse time, from the arrival of the wave",
@@ -20,10 +20,17 @@ const KEY_RESULTS: [(&str, &str); 29] = [
     ),
     ("jet_speed", "Jet speed"),
     ("jet_time", "… at the instant"),
+    ("jet_half_width", "Half-width of the jet"),
+    ("toroid_r", "Ring of void, distance from the axis"),
+    ("toroid_z", "… height above the wall"),
     ("max_pressure", "Largest pressure in the liquid"),
     ("peak_wall_pressure", "Largest wall pressure"),
     ("peak_wall_pressure_time", "… at the instant"),
     ("peak_wall_pressure_r", "… at the radius"),
+    (
+        "shock_front_speed",
+        "Shock front along the wall, one radius from the axis",
+    ),
     ("max_plastic_strain", "Largest plastic strain"),
     ("max_plastic_strain_r", "… at the radius"),
     ("max_plastic_strain_depth", "… at the depth"),
@@ -35,6 +42,12 @@ const KEY_RESULTS: [(&str, &str); 29] = [
     ("max_strain_rate", "Largest plastic strain rate"),
     ("plastic_volume", "Volume that yielded"),
     ("plastic_work", "Plastic work"),
+    (
+        "absorbed_energy_density",
+        "Plastic work per volume that yielded",
+    ),
+    ("loading_time", "Time of load where the strain is largest"),
+    ("material_time", "Time of the metal there"),
     ("lost_mass", "Mass that failed and was removed"),
     (
         "bubble_energy",

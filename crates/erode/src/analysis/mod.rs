@@ -1,0 +1,26 @@
+//! What a run tells about the damage: pure functions of tables and fields, for any run.
+//!
+//! Shock front along the wall, characteristic times, effective pressure, energies and volumes, jet and toroid. Each has a
+//! file of its own with formula, source, units.
+
+mod effective_pressure;
+mod energy;
+mod jet;
+mod order;
+mod plastic_zone;
+mod shock_front;
+mod times;
+mod toroid;
+mod wall_pressure;
+
+pub use effective_pressure::effective_pressure;
+pub use energy::{
+    absorbed_energy, bubble_energy, energy_density, plastic_potential, plastic_volume,
+};
+pub use jet::half_width;
+pub use order::{Extrapolated, extrapolate, power_law};
+pub use plastic_zone::{largest_in_column, zone_depth};
+pub use shock_front::{Front, front, front_position, front_speed};
+pub use times::{FALL, RISE, loading_time, material_time};
+pub use toroid::{Toroid, last_toroid};
+pub use wall_pressure::WallPressure;

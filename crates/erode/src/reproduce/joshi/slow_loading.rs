@@ -1,0 +1,235 @@
+//! Figure 6.11: the metal under the recorded pressure at the wall, at its own speed and so slowly that inertia is gone.
+
+use super::super::Options;
+use super::super::session::{Judged, Need, Session};
+use super::chapter6::FOLLOWED;
+use super::near_wall::{Collapse, at, note};
+use crate::analysis::{WallPressure, front, largest_in_column};
+use crate::run::off_axis_maximum;
+use crate::validate::steel_lattice::Lattice;
+use crate::validate::{Check, Failure, Figure, Finding, Style};
+use erode_sph::Geometry;
+use erode_sph::solid::{Face, Formulation, Side, Solid};
+
+const STANDOFFS: [f64; 2] = [1.33, 1.5];
+/// Block of steel, m: twice as wide and deep as the load reaches.
+const SIZE: [f64; 2] = [0.6e-3, 0.6e-3];
+/// Spacing, m: quick, full.
+const SPACING: (f64, f64) = (10e-6, 5e-6);
+/// How many times slower: the front then runs at a fortieth of the slowest wave, the block is crossed 80 times.
+const SLOWER: f64 = 20.0;
+/// Rate at which the slow motion is damped, 1/s: within two passages of a wave through the block.
+const DAMPING: f64 = 5e6;
+/// The record begins so long before the front arrives, s.
+const BEFORE: f64 = 20e-9;
+/// The load is taken away at the end of the record in this time of it, s.
+const AWAY: f64 = 50e-9;
+
+pub(super) fn needs(options: &Options) -> Vec<Need> {
+    STANDOFFS.iter().map(|s| at(*s).need(options)).collect()
+}
+
+/// Pressure on the wall over the time of the record, from nothing to nothing.
+struct Load {
+    wall: WallPressure,
+    begin: f64,
+    end: f64,
+}
+
+impl Load {
+    fn of(wall: WallPressure) -> Result<Self, Failure> {
+        let first = front(&wall, FOLLOWED, 3).first().map(|f| f.time - BEFORE);
+        let begin = first.ok_or_else(|| Failure::Absent("no shock reached the wall".into()))?;
+        let end = wall.time.last().copied().unwrap_or(begin);
+        Ok(Self { wall, begin, end })
+    }
+
+    /// Pressure at a radius (m) and a time of the record (s), linear between its rows and columns.
+    fn at(&self, r: f64, time: f64) -> f64 {
+        let part = |places: &[f64], x: f64| {
+            let k = places
+                .partition_point(|p| *p <= x)
+                .clamp(1, places.len() - 1);
+            let f = (x - places[k - 1]) / (places[k] - places[k - 1]);
+            (k, f.clamp(0.0, 1.0))
+        };
+        let (i, f) = part(&self.wall.radius, r);
+        let (k, g) = part(&self.wall.time, time);
+        let row =
+            |i: usize| (1.0 - g) * self.wall.pressure[i][k - 1] + g * self.wall.pressure[i][k];
+        // It is put on and taken away without a jump.
+        let on = ((time - self.begin) / BEFORE).min((self.end - time) / AWAY);
+        on.clamp(0.0, 1.0) * ((1.0 - f) * row(i - 1) + f * row(i))
+    }
+
+    /// A block of steel without strain-rate effect under the record, `slower` times as long.
+    fn press(&self, spacing: f64, slower: f64) -> Result<Solid, Failure> {
+        let lattice = Lattice {
+            geometry: Geometry::Axisymmetric,
+            size: SIZE,
+            spacing,
+            faces: [Face::Axis, Face::Symmetry, Face::Symmetry, Face::Traction],
+            formulation: Formulation::TotalLagrangian,
+        };
+        let mut solid = lattice.build()?;
+        let duration = slower * (self.end - self.begin);
+        let steps = (duration / solid.stable_time_step().dt).ceil();
+        for step in 1..=steps as u64 {
+            let time = self.begin + step as f64 / steps * (self.end - self.begin);
+            if let Some(top) = solid.surface_mut(Side::Top) {
+                top.push(|x| self.at(x[0], time));
+            }
+            solid.step(duration / steps)?;
+            if slower > 1.0 {
+                solid.damp(DAMPING, duration / steps);
+            }
+        }
+        Ok(solid)
+    }
+}
+
+/// Largest strain, its distance from the axis, and that of the largest one apart from the axis.
+fn places(solid: &Solid) -> [f64; 3] {
+    let strain = &solid.state.plastic_strain;
+    let worst = (0..solid.len())
+        .max_by(|a, b| strain[*a].total_cmp(&strain[*b]))
+        .unwrap_or(0);
+    let ring = off_axis_maximum(&crate::run::columns(solid));
+    [
+        strain[worst],
+        solid.reference.position[worst][0],
+        ring.map_or(f64::NAN, |c| c.r),
+    ]
+}
+
+fn below(solid: &Solid, spacing: f64) -> Vec<[f64; 2]> {
+    let columns = (SIZE[0] / spacing).round() as usize;
+    let radii: Vec<f64> = (0..columns).map(|i| (i as f64 + 0.5) * spacing).collect();
+    let strain = largest_in_column(
+        &solid.reference.position,
+        &solid.state.plastic_strain,
+        &radii,
+    );
+    radii.into_iter().zip(strain).map(|(r, e)| [r, e]).collect()
+}
+
+pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
+    let quick = session.options.quick;
+    let spacing = if quick { SPACING.0 } else { SPACING.1 };
+    let mut finding = Finding {
+        notes: vec![
+            note(session),
+            format!(
+                "A block of {} mm on rollers, spacing {} um, without strain-rate effect, under the recorded pressure: {SLOWER} times slower, and at its own \
+                 speed. The thesis used a static finite-element calculation.",
+                SIZE[0] * 1e3,
+                spacing * 1e6
+            ),
+        ],
+        ..Finding::default()
+    };
+    for standoff in STANDOFFS {
+        let case: Collapse = at(standoff);
+        let load = Load::of(case.results(session)?.wall()?)?;
+        let (slow, fast) = (load.press(spacing, SLOWER)?, load.press(spacing, 1.0)?);
+        let title = format!("Stand-off {standoff}");
+        let mut figure = Figure::new(
+            &format!("standoff-{standoff}"),
+            &title,
+            ("distance from the axis", "m"),
+            ("largest plastic strain below", "-"),
+        );
+        figure.add("slowly", Style::Dashed, below(&slow, spacing));
+        figure.add("at its own speed", Style::Line, below(&fast, spacing));
+        finding.figures.push(figure);
+        finding
+            .checks
+            .extend(checks(standoff, &slow, &fast, spacing));
+    }
+    Ok(finding.into())
+}
+
+fn checks(standoff: f64, slow: &Solid, fast: &Solid, spacing: f64) -> Vec<Check> {
+    let ([e_slow, r_slow, _], [e_fast, r_fast, ring]) = (places(slow), places(fast));
+    let named = |what: &str| format!("{standoff}: {what}");
+    vec![
+        Check::absolute(
+            named("distance of the largest strain from the axis, slowly"),
+            "m",
+            (r_slow, 0.0),
+            2.0 * spacing,
+            "\"the static response does not have an offset; the maximum occurs at the symmetry axis\": within two spacings",
+        ),
+        Check::at_least(
+            named("the same, at its own speed"),
+            "m",
+            r_fast,
+            2.0 * spacing,
+            "\"the reason for the offset of maximum plastic strain is the dynamic loading\": more than two spacings",
+        ),
+        Check::shown(
+            named("largest strain, slowly"),
+            "-",
+            e_slow,
+            None,
+            "the source gives no number",
+        ),
+        Check::shown(
+            named("largest strain, at its own speed"),
+            "-",
+            e_fast,
+            None,
+            "the source gives no number",
+        ),
+        Check::shown(
+            named("distance of the largest strain apart from the axis, at its own speed"),
+            "m",
+            ring,
+            None,
+            "the source gives no number",
+        ),
+        Check::shown(
+            named("kinetic over internal energy at the end, slowly"),
+            "-",
+            slow.inertia_share(),
+            None,
+            "far below 1: inertia is gone",
+        ),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 3 GPa over 0.1 mm, falling slowly after its rise.
+    fn bell(r: f64, t: f64) -> f64 {
+        let course = if t < 40e-9 {
+            0.0
+        } else {
+            1.0 - (t - 40e-9) / 1e-6
+        };
+        3e9 * course * (-(r / 5e-5).powi(2)).exp()
+    }
+
+    /// A pressure that is largest on the axis at all times yields there.
+    #[test]
+    fn a_pressure_on_the_axis_strains_the_axis() {
+        let radius: Vec<f64> = (0..60).map(|i| (f64::from(i) + 0.5) * 10e-6).collect();
+        let time: Vec<f64> = (0..200).map(|k| f64::from(k) * 2e-9).collect();
+        let along = |r: &f64| time.iter().map(|t| bell(*r, *t)).collect();
+        let pressure = radius.iter().map(along);
+        let load = Load::of(WallPressure {
+            pressure: pressure.collect(),
+            time: time.clone(),
+            radius: radius.clone(),
+        })
+        .unwrap();
+        assert!(load.at(0.0, load.begin) == 0.0 && load.at(0.0, load.end) == 0.0);
+        assert!((load.at(15e-6, 101e-9) / bell(15e-6, 101e-9) - 1.0).abs() < 1e-9);
+        let between = load.at(20e-6, 101e-9) / bell(20e-6, 101e-9);
+        assert!((between - 1.0).abs() < 0.02, "{between}");
+        let [strain, r, _] = places(&load.press(20e-6, 2.0).unwrap());
+        assert!(strain > 1e-3 && r < 40e-6, "{strain} {r}");
+    }
+}
