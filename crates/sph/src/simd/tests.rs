@@ -25,23 +25,32 @@ impl Task for Everything {
             S::splat(self.0[2][3]),
             S::splat(f64::from(S::bits(less))),
             S::load_single(&self.0[0].map(|x| x as f32)),
-            S::load(&self.0[0].map(|x| (x.abs() * 7.0).max(1e-300).min(1e300)))
+            S::load(&self.0[0].map(|x| within(x.abs() * 7.0, 1e-300, 1e300)))
                 .split()
                 .0,
-            S::load(&self.0[0].map(|x| (x.abs() * 7.0).max(1e-300).min(1e300)))
+            S::load(&self.0[0].map(|x| within(x.abs() * 7.0, 1e-300, 1e300)))
                 .split()
                 .1,
             b.scale(S::load(
-                &self.0[0].map(|x| x.max(-500.0).min(500.0).round()),
+                &self.0[0].map(|x| within(x, -500.0, 500.0).round()),
             )),
             functions::ln(S::load(
-                &self.0[0].map(|x| (x.abs() * 7.0).max(1e-300).min(1e300)),
+                &self.0[0].map(|x| within(x.abs() * 7.0, 1e-300, 1e300)),
             )),
             functions::exp(c),
         ];
         // The sign and payload of a result that is not a number are nobody's business.
         let bits = |x: f64| if x.is_nan() { u64::MAX } else { x.to_bits() };
         results.map(|r| r.store().map(bits)).to_vec()
+    }
+}
+
+/// Clamped; `least` for what is not a number.
+fn within(x: f64, least: f64, most: f64) -> f64 {
+    if x.is_nan() {
+        least
+    } else {
+        x.clamp(least, most)
     }
 }
 

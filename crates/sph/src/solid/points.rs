@@ -333,8 +333,8 @@ impl Eight {
         point: &Found,
         returned: &Returned<S>,
     ) -> Option<(usize, Failure)> {
-        for l in 0..self.count {
-            let (a, i) = (self.particle(l), self.start + l);
+        for (l, i) in (self.start..self.start + self.count).enumerate() {
+            let a = self.first + i;
             if laws.removed[a] != 0.0 {
                 continue;
             }
