@@ -1,8 +1,6 @@
 //! The liquid's step: the same bits by all widths and any number of threads, nothing lost.
 #![allow(clippy::unwrap_used)] // a failed test may panic
 
-#![allow(clippy::unwrap_used)]
-
 use erode_physics::eos::Tait;
 use erode_sph::Geometry;
 use erode_sph::fluid::corrected::Settings;
