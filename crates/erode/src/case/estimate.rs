@@ -13,9 +13,9 @@ use erode_sph::{
 
 /// Memory of one particle with its neighbours and the states kept for checkpoints, bytes.
 pub const BYTES_PER_PARTICLE: f64 = 2000.0;
-/// Assumed speed, particles times steps per second of wall time: the main case on two Zen 4 cores (8105 particles, 4173 steps,
-/// 82 s).
-pub const PARTICLE_STEPS_PER_SECOND: f64 = 0.4e6;
+/// Assumed speed, particles times steps per second of wall time: the main case on two cores with AVX-512 (8105 particles, 4173
+/// steps, 20 s, see docs/performance.md). The published forms take several times as long.
+pub const PARTICLE_STEPS_PER_SECOND: f64 = 1.6e6;
 
 /// Memory taken for granted where the system does not tell, bytes.
 const ASSUMED_MEMORY: f64 = 64e9;
