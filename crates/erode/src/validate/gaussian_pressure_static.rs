@@ -60,15 +60,13 @@ const SHOWN: &str =
 
 /// Ten spacings per load radius.
 const SPACING: f64 = 5e-6;
-/// Of a longitudinal wave in steel, m/s: times of loading are counted in its passages through the block.
-const WAVE_SPEED: f64 = 5.9e3;
-
-/// Six passages of a wave through the large block.
-fn loading(size: f64) -> QuasiStatic {
+/// A ramp of six passages of a wave through the large block, and a hold of seven through this one.
+fn loading(solid: &Solid, size: f64) -> QuasiStatic {
+    let m = &solid.material;
     QuasiStatic {
         ramp: 1e-6,
         // The slowest mode of the block must have rung out: its energy falls by e per 0.2 us.
-        hold: 7.0 * size / WAVE_SPEED,
+        hold: 7.0 * size / m.elastic.longitudinal_speed(m.density),
         damping: 5e6,
     }
 }
@@ -112,8 +110,9 @@ fn press(lattice: &Lattice, load: &Load) -> Result<Solid, Failure> {
         diameter: DIAMETER,
         pulse: None,
     };
+    let loading = loading(&solid, lattice.size[0]);
     let mut apply = |from: f64, to: f64| -> Result<(), SolidError> {
-        loading(lattice.size[0]).run(
+        loading.run(
             &mut solid,
             |solid, share| {
                 let part = from + (to - from) * share.value;

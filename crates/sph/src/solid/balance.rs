@@ -8,7 +8,7 @@
 //! mean square) without it. The price: forces of pairs are then not exactly opposite; what the body gains in momentum is
 //! the sum of P_a E_a A_a, which vanishes for uniform stress.
 //! Within reach of a free face nothing is taken off, since no uniform stress is in balance there; nor anywhere in a body
-//! on which no traction can act, whose energy is then kept exactly.
+//! on which no traction can act: forces of pairs are then exactly opposite.
 
 use super::block::{Block, Face, Side};
 use super::images::{Image, reflected_weight};

@@ -56,7 +56,7 @@ pub enum Face {
     /// Pressure given by the caller, zero at first.
     Traction,
     /// Nothing acts, ever: without images force and strain use the same gradients, so that energy is kept without
-    /// viscosity. A wave in a bar six particles in radius is 1.7 % slow with it, with a traction face 0.5 %.
+    /// viscosity (not around an axis, whose images are not adjoint: a body with an axis needs the usual viscosity). A wave in a bar six particles in radius is 1.7 % slow with it, with a traction face 0.5 %.
     Free,
     /// Waves leave (see `absorbing.rs`).
     Absorbing,
@@ -93,8 +93,6 @@ pub(super) enum Reflection {
     Bonded,
     /// Only the traction is known.
     Open,
-    /// Not at all.
-    Absent,
 }
 
 impl Face {
@@ -134,12 +132,12 @@ impl Block {
         }
     }
 
-    /// How a particle with reference position `point` is continued beyond a face.
-    pub(super) fn reflection(&self, side: Side, point: Vec2) -> Reflection {
-        match self.face(side) {
+    /// How a particle with reference position `point` is continued beyond a face; not at all beyond a free one.
+    pub(super) fn reflection(&self, side: Side, point: Vec2) -> Option<Reflection> {
+        Some(match self.face(side) {
+            Face::Free => return None,
             Face::Axis | Face::Symmetry => Reflection::Mirror,
             Face::Clamped => Reflection::Bonded,
-            Face::Free => Reflection::Absent,
             Face::Traction | Face::Absorbing => Reflection::Open,
             Face::Driven(driven) => {
                 let along = point[1 - side.normal_axis()];
@@ -149,7 +147,7 @@ impl Block {
                     (_, Tangential::Bonded) => Reflection::Bonded,
                 }
             }
-        }
+        })
     }
 
     /// Coordinate of a face along its normal axis, m.

@@ -10,7 +10,7 @@
 //! and -s along the face and g = (x_foot - x).n = d (1 + s^2) + U_n - u_n for the foot of a normal of length d that turned
 //! with the face. So normals stay normal, no shear arises from the slope, and a body that turns with its face is at rest.
 
-use super::block::{Block, Face, Reflection, Side};
+use super::block::{Block, Reflection, Side};
 use super::mat2::{Mat2, mirrored, product, scaled};
 use super::surface::{Surface, Wall};
 use crate::geometry::Vec2;
@@ -94,7 +94,7 @@ impl Image {
         for step in self.steps() {
             let (n, t) = (step.side.normal_axis(), 1 - step.side.normal_axis());
             match step.how {
-                Reflection::Mirror | Reflection::Open | Reflection::Absent => u[n] = -u[n],
+                Reflection::Mirror | Reflection::Open => u[n] = -u[n],
                 Reflection::Slip => {
                     let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
                     let distance = block.coordinate(step.side) - start[n];
@@ -119,7 +119,7 @@ impl Image {
         for step in self.steps() {
             let (n, t) = (step.side.normal_axis(), 1 - step.side.normal_axis());
             match step.how {
-                Reflection::Mirror | Reflection::Open | Reflection::Absent => v[n] = -v[n],
+                Reflection::Mirror | Reflection::Open => v[n] = -v[n],
                 Reflection::Slip => {
                     let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
                     let (s, k) = wall.tilt(n);
@@ -156,7 +156,7 @@ impl Image {
         for step in self.steps() {
             let (n, t) = (step.side.normal_axis(), 1 - step.side.normal_axis());
             match step.how {
-                Reflection::Mirror | Reflection::Open | Reflection::Absent => f = mirrored(&f),
+                Reflection::Mirror | Reflection::Open => f = mirrored(&f),
                 Reflection::Slip => {
                     let wall = wall_at(surfaces, step.side, self.source).turned(turned, n);
                     let (s, k) = wall.tilt(n);
@@ -186,13 +186,10 @@ impl Image {
 pub(super) fn all_images(block: &Block, position: &[Vec2], reach: &[f64]) -> Vec<Image> {
     let mut images = Vec::new();
     for (i, (&x, &reach)) in position.iter().zip(reach).enumerate() {
-        let near = |s: &Side| block.depth(*s, x) < reach && block.face(*s) != Face::Free;
-        let step = |side: Side| Step {
-            side,
-            how: block.reflection(side, x),
-        };
-        let (r, z): (Vec<Step>, Vec<Step>) =
-            (Side::ALL.into_iter().filter(near).map(step)).partition(|s| s.side.normal_axis() == 0);
+        let near = |s: &Side| block.depth(*s, x) < reach;
+        let step = |side: Side| block.reflection(side, x).map(|how| Step { side, how });
+        let (r, z): (Vec<Step>, Vec<Step>) = (Side::ALL.into_iter().filter(near).filter_map(step))
+            .partition(|s| s.side.normal_axis() == 0);
         let mut add = |mut steps: [Option<Step>; 2]| {
             let open = |s: Option<Step>| s.is_some_and(Step::is_open);
             if open(steps[0]) && steps[1].is_some() && !open(steps[1]) {
@@ -274,7 +271,7 @@ impl Flux {
                     self.flux = scaled(&self.flux, ratio);
                     turned[axis] *= -1.0;
                 }
-                Reflection::Open | Reflection::Absent => {
+                Reflection::Open => {
                     let on_face = if axisymmetric && axis == 0 {
                         block.coordinate(side)
                     } else {

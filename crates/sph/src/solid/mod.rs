@@ -218,7 +218,7 @@ impl Solid {
         self.material.density / self.volume_ratio(particle)
     }
 
-    /// The surface on a side, if that side is a traction or absorbing face.
+    /// The surface on a side; none where the body is mirrored (axis, symmetry, clamped). On a free face it only follows the body.
     #[must_use]
     pub fn surface(&self, side: Side) -> Option<&Surface> {
         self.surfaces.iter().find(|s| s.side == side)

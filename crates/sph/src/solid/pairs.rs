@@ -7,7 +7,7 @@
 //!
 //! The two kernel values are kept in single precision, in units of the smallest smoothing length: they are the same number
 //! from both sides of a pair, so that it is just another kernel, by 1e-7 of its value; forces stay opposite to each other
-//! and corrected gradients exact. Half the memory is half the time where memory limits.
+//! and corrected gradients exact.
 //!
 //! A particle taken out of the body has area 0 here.
 

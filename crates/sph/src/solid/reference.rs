@@ -273,7 +273,7 @@ impl Reference {
     fn in_first_row(&self, block: &Block, a: usize) -> bool {
         self.renewals == 0
             && Side::ALL.into_iter().any(|side| {
-                block.reflection(side, self.position[a]) == Reflection::Open
+                block.reflection(side, self.position[a]) == Some(Reflection::Open)
                     && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
             })
     }

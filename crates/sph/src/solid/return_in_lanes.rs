@@ -16,7 +16,8 @@ const MAX_ITERATIONS: u32 = 40;
 /// Plastic strains below count as this one, whose power is as good as zero.
 const LEAST_STRAIN: f64 = 1e-300;
 
-/// (A + B e^n) (1 + C ln(max(1, rate/rate0))) times a softening given by the caller: all laws of [`Strength`].
+/// (A + B e^n) (1 + C ln(max(1, rate/rate0))) times a softening given by the caller (Joshi 2018, eqs 2.27, 6.15): all laws of
+/// [`Strength`], whose scalar form stays the reference (see the tests).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct YieldStress {
     a: f64,

@@ -74,8 +74,8 @@ pub(super) struct Wall {
 const NO_POINT: u32 = u32::MAX;
 
 /// Whether a face moves a particle that is continued beyond it in this way.
-fn drives(how: Reflection) -> bool {
-    matches!(how, Reflection::Slip | Reflection::Bonded)
+fn drives(how: Option<Reflection>) -> bool {
+    matches!(how, Some(Reflection::Slip | Reflection::Bonded))
 }
 
 /// What tractions can be scaled by.

@@ -1,6 +1,6 @@
 //! Damage and removal of failed material.
 
-use crate::bodies::{DX, FREE, build, johnson_cook, lattice};
+use crate::bodies::{DX, FREE, OPEN, build, johnson_cook, lattice};
 use crate::dynamics::{WIDTH, pulse, strip};
 use erode_physics::damage::{Damage, JohnsonCookDamage, RuptureStrain};
 use erode_physics::strength::Strength;
@@ -96,6 +96,29 @@ fn failure_under_pressure_on_an_open_face_costs_some_percent() {
     let missed = missed(s, mass, 0.0, s.state.work.pressure);
     // The work of the pressure is counted at face points beside which material has gone; 2.4 % were measured.
     assert!(missed.abs() < 0.03, "{missed}");
+}
+
+#[test]
+fn tractions_beside_a_hole_transmit_their_whole_force() {
+    let mut solid = build(lattice(Plane, OPEN, [20, 16], Strength::Elastic));
+    solid.damage = rupture(1.0, false);
+    let last = solid.len() - 1;
+    // Two neighbours of the first row, away from the corners.
+    for gone in [last - 9, last - 10] {
+        solid.state.damage[gone] = 1.0;
+    }
+    let dt = solid.stable_time_step().dt;
+    solid.step(dt).unwrap();
+    assert_eq!(solid.state.work.lost.failed, 2);
+    let p = 1e6;
+    solid.surface_mut(Side::Top).unwrap().pressure.fill(p);
+    solid.accelerations();
+    let force: f64 = (0..solid.len())
+        .filter(|&a| !solid.is_removed(a))
+        .map(|a| solid.reference.mass[a] * solid.state.acceleration[a][1])
+        .sum();
+    // 18 points of one spacing each; those of the hole are gone.
+    assert!((force / (-p * 18.0 * DX) - 1.0).abs() < 1e-10, "{force}");
 }
 
 #[test]

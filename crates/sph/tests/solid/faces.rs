@@ -1,6 +1,6 @@
 //! Driven, clamped and partly driven faces.
 
-use crate::bodies::{DX, Faces, OPEN, build, johnson_cook, lattice};
+use crate::bodies::{DX, FREE, Faces, OPEN, build, johnson_cook, lattice};
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{Axisymmetric, Plane};
 use erode_sph::solid::{
@@ -311,4 +311,14 @@ fn loads_beside_the_body_or_too_narrow_are_named() {
             .load_resolution(Side::Top, 10.0 * DX, 5.0 * DX)
             .is_ok_and(|r| r.particles == 10)
     );
+}
+
+#[test]
+fn a_pressure_on_a_free_face_is_refused() {
+    let mut solid = build(lattice(Plane, FREE, [20, 20], Strength::Elastic));
+    let dt = solid.stable_time_step().dt;
+    solid.step(dt).unwrap();
+    solid.surface_mut(Side::Top).unwrap().pressure[3] = 1e6;
+    let message = solid.step(dt).unwrap_err().to_string();
+    assert!(message.contains("Top face, which is free"), "{message}");
 }
