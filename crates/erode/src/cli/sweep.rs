@@ -14,6 +14,7 @@ use erode::sweep::{
 };
 use indicatif::{ProgressBar, ProgressStyle};
 use std::{
+    fs,
     io::IsTerminal,
     path::{Path, PathBuf},
     time::{Duration, Instant},
@@ -29,15 +30,23 @@ pub(crate) fn sweep(args: &SweepArgs) -> Outcome {
     let plan = Plan::read(&args.file, args.quick).map_err(|e| failure(e, &args.file))?;
     let root = args.output.clone();
     let folder = Folder::new(root.unwrap_or_else(|| default_folder(&args.file, args.quick)));
-    if !args.accept_changes {
-        folder.agree(&plan).map_err(|e| failure(e, &args.file))?;
-    }
+    let agree = || {
+        let agreed = folder.agree(&plan, args.accept_changes);
+        agreed.map_err(|e| failure(e, &args.file))
+    };
+    agree()?;
     print_plan(&plan, &folder);
     if args.dry_run {
         return Ok(());
     }
-    folder.record(&plan).map_err(output)?;
+    fs::create_dir_all(folder.root()).map_err(|cause| {
+        let path = folder.root().to_path_buf();
+        output(OutputError::NotWritable { path, cause })
+    })?;
     let _lock = RunLock::acquire(folder.root()).map_err(output)?;
+    // Another process may have recorded a plan of its own before the lock was ours.
+    agree()?;
+    folder.record(&plan).map_err(output)?;
     let stop = stop_flag()?;
     let runs = plan.runs.iter().map(|r| (r, folder.run(&r.name)));
     let execution = Execution {

@@ -232,11 +232,12 @@ impl Reader<'_> {
 
     fn varied_once(&mut self, file: &SweepFile) {
         let varied: Vec<&String> = file.grid.iter().chain(&file.zip).map(|l| &l.0).collect();
-        let fixed = file.set.iter().map(|s| &s.key);
+        let fixed = file.set.iter().chain(&file.quick).map(|s| &s.key);
         for (k, key) in varied.iter().enumerate() {
             if varied[..k].contains(key) || fixed.clone().any(|f| f == *key) {
                 let message = format!("`{key}` is given more than once");
-                let help = "a key stands either under [set] or under [grid] or under [zip]";
+                let help =
+                    "a key stands either under [set] and [quick] or under [grid] or under [zip]";
                 self.findings.error(self.whole, message, "", help);
             }
         }

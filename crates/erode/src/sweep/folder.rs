@@ -1,9 +1,12 @@
 //! The folder of a sweep: the plan as it was, the runs, and where each of them stands.
+//!
+//! `plan/sweep.toml` makes a folder that of a sweep. Only files below `plan` and `runs` are ever replaced or removed.
 
 use super::lines::difference;
 use super::plan::{Plan, Planned};
 use super::{SweepError, Table};
 use crate::output::atomic::{list, write_atomic};
+use crate::output::lock::LOCK_FILE;
 use crate::output::{OutputError, RunPaths, State, Status, hash_hex};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -67,20 +70,28 @@ impl Folder {
     }
 
     fn sweep(&self) -> PathBuf {
-        self.root.join("sweep.toml")
+        self.root.join("plan").join("sweep.toml")
     }
 
     fn case(&self, name: &str) -> PathBuf {
-        self.root.join("cases").join(format!("{name}.toml"))
+        self.cases().join(format!("{name}.toml"))
     }
 
-    /// Refuses to go on with a plan that is not the one that the folder was made for.
+    fn cases(&self) -> PathBuf {
+        self.root.join("plan").join("cases")
+    }
+
+    /// Refuses to go on with a plan that is not the one that the folder was made for, unless `accept` says so; a folder
+    /// with other things in it is refused in any case.
     ///
     /// # Errors
     /// [`SweepError::Changed`] with the difference; [`OutputError::Occupied`] where something else lies there.
-    pub fn agree(&self, plan: &Plan) -> Result<(), SweepError> {
+    pub fn agree(&self, plan: &Plan, accept: bool) -> Result<(), SweepError> {
         if !self.sweep().is_file() {
             return Ok(self.require_empty()?);
+        }
+        if accept {
+            return Ok(());
         }
         let old = read(&self.sweep())?;
         let mut told = headed("sweep.toml:", difference(&old, &plan.source, SHOWN));
@@ -113,12 +124,11 @@ impl Folder {
     /// # Errors
     /// If the folder cannot be written.
     pub fn record(&self, plan: &Plan) -> Result<(), OutputError> {
-        for folder in ["cases", "runs"] {
-            let path = self.root.join(folder);
+        for path in [self.cases(), self.root.join("runs")] {
             fs::create_dir_all(&path).map_err(|cause| OutputError::NotWritable { path, cause })?;
         }
         let now: Vec<PathBuf> = plan.runs.iter().map(|r| self.case(&r.name)).collect();
-        for path in list(&self.root.join("cases"))? {
+        for path in list(&self.cases())? {
             if !now.contains(&path) {
                 fs::remove_file(&path).map_err(|cause| OutputError::Write { path, cause })?;
             }
@@ -141,7 +151,7 @@ impl Folder {
 
     /// Names of the runs of the plan that was recorded.
     fn planned(&self) -> Result<Vec<String>, OutputError> {
-        let files = list(&self.root.join("cases"))?;
+        let files = list(&self.cases())?;
         let stem = |p: &PathBuf| {
             p.file_name()?
                 .to_str()?
@@ -162,7 +172,11 @@ impl Folder {
             Vec::new()
         };
         // A sweep that was stopped before its plan was recorded leaves these.
-        let ours = |p: &PathBuf| p.ends_with("cases") || p.ends_with("runs");
+        let ours = |p: &PathBuf| {
+            ["plan", "runs", LOCK_FILE]
+                .iter()
+                .any(|name| p.ends_with(name))
+        };
         match found.iter().find(|p| !ours(p)) {
             None => Ok(()),
             Some(other) => Err(OutputError::Occupied {
