@@ -198,11 +198,13 @@ impl<const D: usize> Ghosts<D> {
         self.wall.push(wall);
     }
 
-    /// Ghosts of the first walls, mirrored once more in later walls, fill the corners.
+    /// Ghosts of the first walls, mirrored once more in later walls, fill the edges and corners.
     fn mirror_corners(&mut self, fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) {
         let n = fluid.len();
-        for k in 0..self.source.len() {
-            let a = self.source[k] as usize;
+        let mut k = 0;
+        // Images of images in a third wall are found on the way.
+        while k < self.source.len() {
+            let a = self.particle(n, n + k);
             let reach = REACH * fluid.smoothing_length[a];
             for (w, wall) in walls.iter().enumerate().skip(self.wall[k] as usize + 1) {
                 if let Some(plane) = wall.plane(fluid.position[a], reach) {
@@ -210,6 +212,7 @@ impl<const D: usize> Ghosts<D> {
                     self.push(n + k, plane, w as u32, surface);
                 }
             }
+            k += 1;
         }
     }
 

@@ -194,12 +194,8 @@ impl<const D: usize> Places<D> {
             .for_each(|(record, a)| *record = of(*a as usize));
         records[n..].fill(R::default());
         for (k, place) in self.of_ghost.iter().enumerate() {
-            let source = ghosts.source[k] as usize;
-            let source = match source.checked_sub(n) {
-                None => self.of_particle[source],
-                Some(ghost) => self.of_ghost[ghost],
-            };
-            records[*place as usize] = image(&ghosts.plane[k], records[source as usize]);
+            records[*place as usize] =
+                image(&ghosts.plane[k], records[self.source_place(ghosts, k)]);
         }
     }
 
@@ -215,6 +211,41 @@ impl<const D: usize> Places<D> {
     ) {
         self.fill(&mut sums.records, ghosts, of, image);
         self.lists.sum(law, &sums.records, &mut sums.results);
+    }
+
+    /// The sums once more after `change` has changed the records of some particles (and says of which): only where these are
+    /// neighbours.
+    pub(crate) fn sum_again<L: PairSum>(
+        &self,
+        law: &L,
+        ghosts: &Ghosts<D>,
+        change: impl Fn(usize, &mut L::Particle) -> bool,
+        image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
+        sums: &mut Sums<L::Particle, L::Result>,
+    ) {
+        let mut marked = vec![false; self.total];
+        for (place, &a) in self.order.iter().enumerate() {
+            marked[place] = change(a as usize, &mut sums.records[place]);
+        }
+        for (k, &place) in self.of_ghost.iter().enumerate() {
+            let source = self.source_place(ghosts, k);
+            if marked[source] {
+                marked[place as usize] = true;
+                sums.records[place as usize] = image(&ghosts.plane[k], sums.records[source]);
+            }
+        }
+        self.lists
+            .sum_near(law, &sums.records, &mut sums.results, &marked);
+    }
+
+    /// Place of what ghost `k` is an image of.
+    fn source_place(&self, ghosts: &Ghosts<D>, k: usize) -> usize {
+        let source = ghosts.source[k] as usize;
+        let place = match source.checked_sub(self.order.len()) {
+            None => self.of_particle[source],
+            Some(ghost) => self.of_ghost[ghost],
+        };
+        place as usize
     }
 
     /// Place of particle `a`.

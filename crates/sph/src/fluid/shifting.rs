@@ -106,32 +106,23 @@ pub(crate) fn exchange<const D: usize>(
     let law = Exchange::<D> { dt };
     let geometry = fluid.geometry;
     let image = |plane: &Plane<D>, p| image(geometry, plane, p);
-    places.sum(
-        &law,
-        ghosts,
-        |a| particle(fluid, shift, a, 1.0),
-        image,
-        memory,
-    );
-    let given = |a: usize| -memory.results[places.place(a)].given;
-    let limited = (0..fluid.len())
+    places.sum(&law, ghosts, |a| particle(fluid, shift, a), image, memory);
+    let most = |a: usize| LARGEST_SHARE * fluid.volume[a];
+    let given: Vec<f64> = (0..fluid.len())
         .into_par_iter()
         .with_min_len(PARTICLES_PER_TASK)
-        .filter(|a| given(*a) > LARGEST_SHARE * fluid.volume[*a])
-        .count();
+        .map(|a| -memory.results[places.place(a)].given)
+        .collect();
+    let limited = (0..fluid.len()).filter(|a| given[*a] > most(*a)).count();
     if limited > 0 {
-        let share = |a: usize| {
-            let given = given(a).max(f64::MIN_POSITIVE);
-            (LARGEST_SHARE * fluid.volume[a] / given).min(1.0)
+        let limit = |a: usize, p: &mut Particle<D>| {
+            let limited = given[a] > most(a);
+            if limited {
+                p.share = most(a) / given[a];
+            }
+            limited
         };
-        let share: Vec<f64> = (0..fluid.len()).map(share).collect();
-        places.sum(
-            &law,
-            ghosts,
-            |a| particle(fluid, shift, a, share[a]),
-            image,
-            memory,
-        );
+        places.sum_again(&law, ghosts, limit, image, memory);
     }
     fluid.account.limited_exchanges += limited as u64;
     fluid.take(&memory.results, places);
@@ -162,12 +153,7 @@ impl<const D: usize> Fluid<D> {
     }
 }
 
-fn particle<const D: usize>(
-    fluid: &Fluid<D>,
-    shift: &[[f64; D]],
-    a: usize,
-    share: f64,
-) -> Particle<D> {
+fn particle<const D: usize>(fluid: &Fluid<D>, shift: &[[f64; D]], a: usize) -> Particle<D> {
     let position = fluid.position[a];
     Particle {
         position,
@@ -178,7 +164,7 @@ fn particle<const D: usize>(
         density: fluid.density(a),
         half_ring: half_ring(fluid.geometry, position[0]),
         velocity: fluid.velocity[a],
-        share,
+        share: 1.0,
     }
 }
 

@@ -77,8 +77,33 @@ impl<const D: usize> ClusterLists<D> {
         records: &[L::Particle],
         results: &mut Vec<L::Result>,
     ) {
-        assert_eq!(records.len(), self.places, "one record per place");
         results.resize(self.clusters * LANES, L::Result::default());
+        self.sum_where(law, records, results, None);
+    }
+
+    /// The same for the clusters that hold one of the `marked` places or have one for a neighbour; the other results stay what
+    /// they are.
+    ///
+    /// # Panics
+    /// As [`Self::sum`].
+    pub(crate) fn sum_near<L: PairSum>(
+        &self,
+        law: &L,
+        records: &[L::Particle],
+        results: &mut [L::Result],
+        marked: &[bool],
+    ) {
+        self.sum_where(law, records, results, Some(marked));
+    }
+
+    fn sum_where<L: PairSum>(
+        &self,
+        law: &L,
+        records: &[L::Particle],
+        results: &mut [L::Result],
+        marked: Option<&[bool]>,
+    ) {
+        assert_eq!(records.len(), self.places, "one record per place");
         let (records, _) = records.as_chunks::<LANES>();
         (results.as_chunks_mut::<LANES>().0.par_chunks_mut(BLOCK))
             .zip(&self.blocks)
@@ -87,9 +112,10 @@ impl<const D: usize> ClusterLists<D> {
                 simd::run(SumBlock {
                     law,
                     records,
-                    own: &records[b * BLOCK..],
+                    first: b * BLOCK,
                     block,
                     results,
+                    marked,
                 });
             });
     }

@@ -194,10 +194,22 @@ pub(crate) struct SumBlock<'a, L: PairSum> {
     pub(crate) law: &'a L,
     /// All particles, in groups of eight.
     pub(crate) records: &'a [[L::Particle; LANES]],
-    /// Those from the first of the block on.
-    pub(crate) own: &'a [[L::Particle; LANES]],
+    /// First cluster of the block.
+    pub(crate) first: usize,
     pub(crate) block: &'a Block,
     pub(crate) results: &'a mut [[L::Result; LANES]],
+    /// Only clusters with one of these places are summed.
+    pub(crate) marked: Option<&'a [bool]>,
+}
+
+impl<L: PairSum> SumBlock<'_, L> {
+    /// Whether a cluster with this list is summed.
+    fn concerns(&self, cluster: usize, list: &[u32]) -> bool {
+        self.marked.is_none_or(|marked| {
+            let own = &marked[cluster * LANES..(cluster + 1) * LANES];
+            own.contains(&true) || list.iter().any(|&b| marked[b as usize])
+        })
+    }
 }
 
 impl<L: PairSum> Task for SumBlock<'_, L> {
@@ -207,18 +219,22 @@ impl<L: PairSum> Task for SumBlock<'_, L> {
     fn run<S: Simd>(self) {
         let records = self.records.as_flattened();
         let mut begin = 0;
-        for ((own, ends), result) in self.own.iter().zip(&self.block.ends).zip(self.results) {
+        for (c, ends) in self.block.ends.iter().enumerate() {
             let [divide, end] = ends.map(|e| e as usize);
-            let a = L::Particle::load::<S>(own);
-            let mut sums = L::zero::<S>();
-            for &b in &self.block.neighbour[begin..divide] {
-                self.law.add(&mut sums, &a, &records[b as usize].splat());
+            let (cluster, list) = (self.first + c, &self.block.neighbour[begin..end]);
+            if self.concerns(cluster, list) {
+                let (ordinary, divided) = list.split_at(divide - begin);
+                let a = L::Particle::load::<S>(&self.records[cluster]);
+                let mut sums = L::zero::<S>();
+                for &b in ordinary {
+                    self.law.add(&mut sums, &a, &records[b as usize].splat());
+                }
+                for &b in divided {
+                    self.law
+                        .add_divided(&mut sums, &a, &records[b as usize].splat());
+                }
+                self.results[c] = L::Result::store(self.law.finish(sums, &a));
             }
-            for &b in &self.block.neighbour[divide..end] {
-                self.law
-                    .add_divided(&mut sums, &a, &records[b as usize].splat());
-            }
-            *result = L::Result::store(self.law.finish(sums, &a));
             begin = end;
         }
     }
