@@ -161,11 +161,13 @@ impl<const D: usize> Places<D> {
     }
 
     fn number(&mut self, order: &[u32], surface: &[bool]) {
-        self.order.clear();
-        self.order.extend_from_slice(order);
-        self.of_particle.resize(order.len(), 0);
-        for (place, &a) in order.iter().enumerate() {
-            self.of_particle[a as usize] = place as u32;
+        if self.order != order {
+            self.order.clear();
+            self.order.extend_from_slice(order);
+            self.of_particle.resize(order.len(), 0);
+            for (place, &a) in order.iter().enumerate() {
+                self.of_particle[a as usize] = place as u32;
+            }
         }
         let ordinary = surface.iter().filter(|s| !**s).count();
         let mut next = [order.len().next_multiple_of(LANES), 0];

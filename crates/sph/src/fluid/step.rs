@@ -114,11 +114,13 @@ impl<const D: usize> Fluid<D> {
             }
         };
         clock.lap(Phase::Sweeps);
-        for (x, u) in self.position.iter_mut().zip(&extra) {
-            for (x, u) in x.iter_mut().zip(u) {
-                *x += dt * u;
-            }
-        }
+        (self.position.par_iter_mut().zip(&extra))
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|(x, u)| {
+                for (x, u) in x.iter_mut().zip(u) {
+                    *x += dt * u;
+                }
+            });
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
         sweep
@@ -160,13 +162,16 @@ impl<const D: usize> Fluid<D> {
         };
         self.book(&forces, &predicted, &outside, &sweep, dt);
         self.sweep = sweep;
-        for (a, f) in self.acceleration.iter_mut().zip(&forces) {
-            *a = f.acceleration;
-        }
+        let reaction = (self.acceleration.par_iter_mut().zip(&forces))
+            .zip(&self.mass)
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|((a, f), m)| {
+                *a = f.acceleration;
+                f.wall.map(|w| -m * w)
+            })
+            .collect();
         clock.lap(Phase::Sweeps);
-        (forces.iter().zip(&self.mass))
-            .map(|(f, m)| f.wall.map(|w| -m * w))
-            .collect()
+        reaction
     }
 
     fn keep_kinematics(&mut self, kinematics: &[Kinematics<D>]) {
