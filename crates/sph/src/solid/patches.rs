@@ -1,37 +1,61 @@
 //! Compact patches of eight particles: the clusters of a solid.
+//!
+//! The body is cut across its longest side until eight are left, each time at the widest gap between particles in the middle third: on
+//! a lattice that is between two of its planes, so that patches are cubes or squares where the numbers allow it.
 
 use crate::simd::LANES;
+use std::cmp::Reverse;
 
-/// Particles above which two halves are ordered by two threads; results do not depend on it.
+/// Particles above which two parts are ordered by two threads; results do not depend on it.
 const PARALLEL: usize = 4096;
+/// Gaps narrower than the widest by less than this share count as equal.
+const EQUAL: f64 = 1e-6;
 
 /// All particles in patches of [`LANES`], patch after patch; neighbours of each other stand in the order where they can be. Each
 /// is ascending within its patch, and only the last patch may have fewer.
-///
-/// The body is halved along its longest side until eight are left.
 pub(super) fn order<const D: usize>(position: &[[f64; D]]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..position.len() as u32).collect();
-    halve(position, &mut order);
+    cut(position, &mut order);
     order
 }
 
-fn halve<const D: usize>(position: &[[f64; D]], order: &mut [u32]) {
+fn cut<const D: usize>(position: &[[f64; D]], order: &mut [u32]) {
     if order.len() <= LANES {
         return order.sort_unstable();
     }
     let k = longest_side(position, order);
-    let half = (order.len() / 2).div_ceil(LANES) * LANES;
-    order.select_nth_unstable_by(half, |&a, &b| {
-        let at = |i: u32| position[i as usize][k];
-        at(a).total_cmp(&at(b)).then(a.cmp(&b))
-    });
-    let (first, second) = order.split_at_mut(half);
+    let place = widest_gap(order, |a| position[a as usize][k]);
+    let (first, second) = order.split_at_mut(place);
     if second.len() < PARALLEL {
-        halve(position, first);
-        halve(position, second);
+        cut(position, first);
+        cut(position, second);
     } else {
-        rayon::join(|| halve(position, first), || halve(position, second));
+        rayon::join(|| cut(position, first), || cut(position, second));
     }
+}
+
+/// Orders particles about the place of their widest gap among the multiples of [`LANES`] in the middle third, and returns it.
+fn widest_gap(order: &mut [u32], at: impl Fn(u32) -> f64) -> usize {
+    let n = order.len();
+    let ascending = |a: &u32, b: &u32| at(*a).total_cmp(&at(*b)).then(a.cmp(b));
+    let middle = (n / 2).div_ceil(LANES) * LANES;
+    let first = (n / 3).next_multiple_of(LANES).clamp(LANES, middle);
+    let last = (2 * n / 3 / LANES * LANES).max(middle);
+    // Only the window has to be in full order.
+    order.select_nth_unstable_by(first - 1, ascending);
+    let rest = &mut order[first - 1..];
+    let end = (last + 1 - (first - 1)).min(rest.len());
+    if end < rest.len() {
+        rest.select_nth_unstable_by(end - 1, ascending);
+    }
+    rest[..end].sort_unstable_by(ascending);
+    let gap = |place: usize| at(order[place]) - at(order[place - 1]);
+    let places = || (first..=last).step_by(LANES);
+    let widest = places().map(gap).fold(0.0, f64::max);
+    let wide = places().filter(|&p| gap(p) >= widest * (1.0 - EQUAL));
+    // An odd number of planes of a lattice could not be cut into cubes any more.
+    let preference = |p: &usize| (Reverse(p.trailing_zeros()), p.abs_diff(middle));
+    wide.min_by_key(preference).unwrap_or(middle)
 }
 
 /// Coordinate in which these particles extend the farthest; the first of several.
@@ -82,6 +106,8 @@ mod tests {
         // Eight cells fill eight units; odd sizes leave gaps in some boxes.
         let (plane, space) = (mean_box([37, 29]), mean_box([23, 19, 29]));
         assert!(plane < 13.0 && space < 18.0, "{plane} {space}");
-        assert_eq!(mean_box([16, 16, 16]), 8.0);
+        // Even numbers allow cubes and squares everywhere, odd ones only inside.
+        assert_eq!(mean_box([46, 22, 30]), 8.0);
+        assert_eq!(mean_box([40, 62]), 8.0);
     }
 }
