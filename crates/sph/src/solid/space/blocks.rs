@@ -97,6 +97,11 @@ impl<const N: usize> Blocks<N> {
         }
     }
 
+    /// Bytes taken.
+    pub(super) fn memory(&self) -> usize {
+        self.blocks.len() * size_of::<Block<N>>()
+    }
+
     /// Numbers of all particles in their order.
     pub fn iter(&self) -> impl Iterator<Item = [f64; N]> + '_ {
         (0..self.len).map(|a| self.get(a))

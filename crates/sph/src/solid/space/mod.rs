@@ -219,6 +219,19 @@ impl SpaceSolid {
         clusters.map(|c| self.reference.list.neighbours(c)).sum()
     }
 
+    /// Bytes that the body takes: state, reference and lists.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        let (r, s) = (&self.reference, &self.state);
+        let vectors = s.position.memory() + s.velocity.memory() + s.acceleration.memory();
+        let matrices = s.deformation.memory() + s.flux.memory();
+        let scalars = s.plastic_strain.memory() + s.plastic_strain_rate.memory();
+        let reference = r.place.memory() + r.moment.memory() + r.list.memory();
+        let held = self.free.as_ref().map_or(0, Blocks::memory);
+        let order = self.order.len() * size_of::<u32>();
+        vectors + matrices + scalars + s.plastic_work.memory() + reference + held + order
+    }
+
     /// Reference position of a particle, m.
     #[must_use]
     pub fn reference_position(&self, particle: usize) -> [f64; 3] {
