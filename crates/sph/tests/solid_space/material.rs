@@ -49,7 +49,11 @@ impl Point {
         let size = (1.5 * tau.iter().map(|t| (t - mean).powi(2)).sum::<f64>()).sqrt() / j;
         let (strain, heat) = (self.plastic_strain, self.temperature());
         let found = radial_return(size, strain, DT, heat, mu / j, &m.strength).unwrap();
-        let scale = found.yield_stress / size;
+        let scale = if size > 0.0 {
+            found.yield_stress / size
+        } else {
+            1.0
+        };
         self.tau = tau.map(|t| mean + (t - mean) * scale);
         self.plastic_strain += found.increment;
         self.work += found.yield_stress * found.increment * j;
@@ -107,8 +111,8 @@ fn lanes_follow_the_scalar_law_there_and_back() {
 fn uniaxial_strain_is_that_of_the_material_point() {
     let material = steel(johnson_cook());
     let path = Path {
-        final_strain: -5e-3,
-        rate: 5e-3 / (100.0 * DT),
+        final_strain: -0.01,
+        rate: 0.01 / (100.0 * DT),
         steps: 100,
     };
     let expected = uniaxial_strain_path(&material, path).unwrap();
@@ -117,9 +121,9 @@ fn uniaxial_strain_is_that_of_the_material_point() {
         stretch(&mut solid, [point.strain.exp(), 1.0, 1.0]);
         let stress = solid.stress(60);
         // The rate is written for the Kirchhoff stress here and for the Cauchy stress there: J differs from 1 by the strain.
-        let close = |a: f64, b: f64| (a - b).abs() <= 0.006 * b.abs() + 1e3;
+        let close = |a: f64, b: f64| (a - b).abs() <= 0.012 * b.abs() + 1e3;
         assert!(close(stress.xx, point.stress), "{stress:?} {point:?}");
         assert!(close(stress.von_mises(), point.von_mises));
     }
-    assert!(expected[99].plastic_strain > 1e-4);
+    assert!(expected[99].plastic_strain > 1e-3);
 }
