@@ -6,13 +6,14 @@
 mod machine;
 mod measure;
 mod peak;
+mod subject;
 mod table;
 mod workloads;
 
 pub use machine::Machine;
 pub use measure::{Measurement, Run};
 pub use table::text;
-pub use workloads::{ABSENT, ALL, Workload};
+pub use workloads::{ALL, Workload};
 
 use crate::case::CaseErrors;
 use crate::run::RunError;
@@ -80,8 +81,6 @@ pub struct Outcome {
     pub machine: Machine,
     /// One entry per workload.
     pub workloads: Vec<Measurement>,
-    /// What a complete list would have and this version lacks.
-    pub absent: Vec<String>,
 }
 
 /// Names of all workloads.
@@ -133,6 +132,5 @@ pub fn run(workload: &Workload, particles: Option<usize>) -> Result<Outcome, Ben
             particles.unwrap_or(workload.particles),
         )?],
         machine: Machine::here()?,
-        absent: ABSENT.map(str::to_owned).to_vec(),
     })
 }

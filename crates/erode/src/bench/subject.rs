@@ -1,8 +1,8 @@
 //! What a workload steps: a world of bodies in the plane, or one body in space.
 
 use super::BenchError;
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore};
-use crate::run::store_state;
+use crate::output::{Array, Checkpoint, CheckpointMeta, CheckpointStore};
+use crate::run::{accounts, store_state};
 use erode_sph::fluid::Fluid;
 use erode_sph::neighbours::Neighbours;
 use erode_sph::phases::Phases;
@@ -27,6 +27,13 @@ pub(super) struct Work {
     pub(super) operations: f64,
 }
 
+/// A state for comparison, bit by bit: fields by name, and the accounts in words.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct State {
+    fields: Vec<(String, Vec<u64>)>,
+    accounts: String,
+}
+
 /// What can be stepped.
 pub(super) trait Subject: Send {
     /// Number of particles.
@@ -37,23 +44,12 @@ pub(super) trait Subject: Send {
     fn phases(&self) -> Phases;
     /// What the bodies do in a step.
     fn work(&self) -> Vec<Work>;
-    /// All fields that change.
-    fn bits(&self) -> Vec<u64>;
-    /// Seconds to write one checkpoint; none where there is no checkpoint yet.
+    /// All that the next step depends on, and all that is counted.
+    fn state(&self) -> Result<State, BenchError>;
+    /// Seconds to write one checkpoint; none for a body that has none.
     fn write_checkpoint(&self) -> Result<Option<f64>, BenchError>;
     /// The same once more.
     fn duplicate(&self) -> Box<dyn Subject>;
-}
-
-fn bits<'a>(numbers: impl Iterator<Item = &'a f64>) -> Vec<u64> {
-    numbers.map(|x| x.to_bits()).collect()
-}
-
-fn liquid_bits<const D: usize>(f: &Fluid<D>) -> Vec<u64> {
-    let vectors = [&f.position, &f.velocity, &f.acceleration];
-    let scalars = [&f.mass, &f.volume, &f.pressure, &f.smoothing_length];
-    let vectors = vectors.into_iter().flatten().flatten();
-    bits(vectors.chain(scalars.into_iter().flatten()))
 }
 
 fn liquid_work<const D: usize>(f: &Fluid<D>) -> Work {
@@ -62,6 +58,27 @@ fn liquid_work<const D: usize>(f: &Fluid<D>) -> Work {
         sums: 3,
         operations: LIQUID_OPERATIONS[D - 2],
     }
+}
+
+fn bits(array: &Array) -> Vec<u64> {
+    match array {
+        Array::F64(values) => values.iter().map(|x| x.to_bits()).collect(),
+        Array::U64(values) => values.clone(),
+        Array::U32(values) => values.iter().map(|x| u64::from(*x)).collect(),
+        Array::U8(values) => values.iter().map(|x| u64::from(*x)).collect(),
+    }
+}
+
+fn checkpoint(world: &World) -> Result<Checkpoint, BenchError> {
+    let mut checkpoint = Checkpoint::new(CheckpointMeta {
+        code_version: env!("CARGO_PKG_VERSION").to_owned(),
+        case_hash: String::new(),
+        time: world.time,
+        step: world.step,
+        extra: Value::Null,
+    });
+    store_state(world, &mut checkpoint)?;
+    Ok(checkpoint)
 }
 
 impl Subject for World {
@@ -97,32 +114,20 @@ impl Subject for World {
         self.bodies.iter().map(|b| of_body(&b.body)).collect()
     }
 
-    fn bits(&self) -> Vec<u64> {
-        let of_body = |b: &Body| match b {
-            Body::Fluid(f) => liquid_bits(f),
-            Body::Solid(s) => {
-                let vectors = [&s.state.position, &s.state.velocity];
-                let scalars = [&s.state.plastic_strain, &s.state.von_mises];
-                let vectors = vectors.into_iter().flatten().flatten();
-                bits(vectors.chain(scalars.into_iter().flatten()))
-            }
-        };
-        self.bodies.iter().flat_map(|b| of_body(&b.body)).collect()
+    fn state(&self) -> Result<State, BenchError> {
+        let checkpoint = checkpoint(self)?;
+        let arrays = checkpoint.arrays().iter();
+        Ok(State {
+            fields: arrays.map(|(name, a)| (name.clone(), bits(a))).collect(),
+            accounts: accounts(self).to_string(),
+        })
     }
 
     /// Into a folder that goes away again.
     fn write_checkpoint(&self) -> Result<Option<f64>, BenchError> {
         let folder = tempfile::tempdir().map_err(|e| BenchError::Folder(e.to_string()))?;
         let begun = Instant::now();
-        let mut checkpoint = Checkpoint::new(CheckpointMeta {
-            code_version: env!("CARGO_PKG_VERSION").to_owned(),
-            case_hash: String::new(),
-            time: self.time,
-            step: self.step,
-            extra: Value::Null,
-        });
-        store_state(self, &mut checkpoint)?;
-        let written = CheckpointStore::new(folder.path()).write(&checkpoint);
+        let written = CheckpointStore::new(folder.path()).write(&checkpoint(self)?);
         written.map_err(|e| BenchError::Folder(e.to_string()))?;
         Ok(Some(begun.elapsed().as_secs_f64()))
     }
@@ -164,8 +169,34 @@ impl Subject for Liquid {
         vec![liquid_work(&self.fluid)]
     }
 
-    fn bits(&self) -> Vec<u64> {
-        liquid_bits(&self.fluid)
+    fn state(&self) -> Result<State, BenchError> {
+        let f = &self.fluid;
+        let bits = |x: &f64| x.to_bits();
+        let vectors = [
+            ("position", &f.position),
+            ("velocity", &f.velocity),
+            ("acceleration", &f.acceleration),
+        ];
+        let scalars = [
+            ("mass", &f.mass),
+            ("volume", &f.volume),
+            ("pressure", &f.pressure),
+            ("smoothing_length", &f.smoothing_length),
+        ];
+        let vector = |(name, v): (&str, &Vec<_>)| {
+            let numbers: &Vec<[f64; 3]> = v;
+            (
+                name.to_owned(),
+                numbers.iter().flatten().map(bits).collect(),
+            )
+        };
+        let scalar = |(name, v): (&str, &Vec<f64>)| (name.to_owned(), v.iter().map(bits).collect());
+        Ok(State {
+            fields: (vectors.into_iter().map(vector))
+                .chain(scalars.into_iter().map(scalar))
+                .collect(),
+            accounts: format!("{:?}", f.account),
+        })
     }
 
     fn write_checkpoint(&self) -> Result<Option<f64>, BenchError> {
@@ -174,5 +205,50 @@ impl Subject for Liquid {
 
     fn duplicate(&self) -> Box<dyn Subject> {
         Box::new(self.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::workloads;
+    use erode_sph::Geometry;
+
+    /// One step of a small world, in which everything moves.
+    fn stepped(mut world: World) -> World {
+        world.step().unwrap();
+        world
+    }
+
+    #[test]
+    fn a_last_bit_anywhere_in_the_state_of_a_solid_is_seen() {
+        let a = stepped(workloads::solid(Geometry::Plane, 100).unwrap());
+        assert!(a.state().unwrap() == a.clone().state().unwrap());
+        let changed = |change: fn(&mut erode_sph::solid::Solid)| {
+            let mut b = a.clone();
+            let Body::Solid(s) = &mut b.bodies[0].body else {
+                panic!("the body is a solid")
+            };
+            change(s);
+            a.state().unwrap() == b.state().unwrap()
+        };
+        assert!(!changed(
+            |s| s.state.stress[7].zz = s.state.stress[7].zz.next_up()
+        ));
+        assert!(!changed(|s| s.state.plastic_strain[7] = 1e-300));
+        assert!(!changed(
+            |s| s.state.position[7][0] = s.state.position[7][0].next_up()
+        ));
+    }
+
+    #[test]
+    fn a_last_bit_of_the_density_of_a_liquid_is_seen() {
+        let a = stepped(workloads::liquid(Geometry::Plane, 100).unwrap());
+        let mut b = a.clone();
+        let Body::Fluid(f) = &mut b.bodies[0].body else {
+            panic!("the body is a liquid")
+        };
+        f.volume[7] = f.volume[7].next_up();
+        assert!(a.state().unwrap() != b.state().unwrap());
     }
 }

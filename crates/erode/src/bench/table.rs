@@ -14,23 +14,20 @@ pub fn text(outcome: &Outcome) -> String {
     for w in &outcome.workloads {
         write_workload(&mut text, m, w);
     }
-    for what in &outcome.absent {
-        let _ = writeln!(text, "\nnot measured: {what}");
-    }
     text
 }
 
 fn write_workload(text: &mut String, machine: &Machine, w: &Measurement) {
     let neighbours = w.pairs as f64 / w.particles as f64;
+    let checkpoint =
+        (w.checkpoint_seconds).map_or_else(String::new, |s| format!("; one checkpoint {s:.2} s"));
     let _ = writeln!(text, "\n{}: {}", w.name, w.description);
     let _ = writeln!(
         text,
-        "  {} particles, {neighbours:.1} neighbours each, {} steps; resident memory {} bytes per particle; \
-         one checkpoint {:.2} s",
+        "  {} particles, {neighbours:.1} neighbours each, {} steps; resident memory {} bytes per particle{checkpoint}",
         w.particles,
         w.steps,
         known(w.bytes_per_particle, 0),
-        w.checkpoint_seconds
     );
     let _ = writeln!(
         text,

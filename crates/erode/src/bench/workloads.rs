@@ -1,6 +1,7 @@
 //! The standard workloads.
 
 use super::BenchError;
+use super::subject::{Liquid, Subject};
 use crate::case::Case;
 use crate::materials::{Library, Material, Terms};
 use crate::run;
@@ -9,6 +10,7 @@ use erode_sph::Geometry;
 use erode_sph::fluid::ghosts::Plane;
 use erode_sph::fluid::{Fluid, Formulation, Start, corrected};
 use erode_sph::neighbours::compact_order;
+use erode_sph::phases::Phases;
 use erode_sph::solid::{Block, Face, Numerics, Setup, Solid};
 use erode_sph::world::{Body, Named, World};
 use std::f64::consts::PI;
@@ -31,13 +33,9 @@ pub struct Workload {
     pub usual: bool,
     /// Asked rate of one thread, 1e6 particle-steps/s.
     pub target: Option<f64>,
-    /// From the number of particles to a world.
-    pub(super) build: fn(usize) -> Result<World, BenchError>,
+    /// From the number of particles to what is stepped.
+    pub(super) build: fn(usize) -> Result<Box<dyn Subject>, BenchError>,
 }
-
-/// What a complete list would have and this version lacks.
-pub const ABSENT: [&str; 1] =
-    ["3D (liquid and solid): this version has no motion in three dimensions"];
 
 const LIQUID: Workload = Workload {
     name: "liquid-plane",
@@ -46,13 +44,13 @@ const LIQUID: Workload = Workload {
     steps: 30,
     usual: true,
     target: Some(8.0),
-    build: |n| liquid(Geometry::Plane, n),
+    build: |n| boxed(liquid(Geometry::Plane, n)),
 };
 
 const LIQUID_RINGS: Workload = Workload {
     name: "liquid-axisymmetric",
     description: "water in a cylinder, axisymmetric, swirling at up to 20 m/s",
-    build: |n| liquid(Geometry::Axisymmetric, n),
+    build: |n| boxed(liquid(Geometry::Axisymmetric, n)),
     ..LIQUID
 };
 
@@ -61,7 +59,16 @@ const SOLID: Workload = Workload {
     description: "A-2205 steel with Johnson-Cook law, plane strain, total Lagrangian, squeezed until all of it yields",
     steps: 60,
     target: Some(6.0),
-    build: |n| solid(Geometry::Plane, n),
+    build: |n| boxed(solid(Geometry::Plane, n)),
+    ..LIQUID
+};
+
+const LIQUID_SPACE: Workload = Workload {
+    name: "liquid-space",
+    description: "water in a cube, three dimensions, swirling at up to 20 m/s",
+    steps: 10,
+    target: Some(2.5),
+    build: |n| boxed(liquid_in_space(n)),
     ..LIQUID
 };
 
@@ -72,18 +79,19 @@ const MIXTURE: Workload = Workload {
     steps: 30,
     usual: true,
     target: None,
-    build: mixture,
+    build: |n| boxed(mixture(n)),
 };
 
 /// All workloads.
-pub const ALL: [Workload; 8] = [
+pub const ALL: [Workload; 10] = [
     LIQUID,
     LIQUID_RINGS,
+    LIQUID_SPACE,
     SOLID,
     Workload {
         name: "solid-axisymmetric",
         description: "the same steel, axisymmetric",
-        build: |n| solid(Geometry::Axisymmetric, n),
+        build: |n| boxed(solid(Geometry::Axisymmetric, n)),
         ..SOLID
     },
     MIXTURE,
@@ -100,6 +108,13 @@ pub const ALL: [Workload; 8] = [
         steps: 10,
         usual: false,
         ..LIQUID_RINGS
+    },
+    Workload {
+        name: "liquid-space-1m",
+        particles: 1_000_000,
+        steps: 5,
+        usual: false,
+        ..LIQUID_SPACE
     },
     Workload {
         name: "main-case-60",
@@ -137,8 +152,14 @@ fn alone(name: &str, body: Body) -> Result<World, BenchError> {
     Ok(World::new(vec![Named { name, body }], 0.3)?)
 }
 
+fn boxed(
+    subject: Result<impl Subject + 'static, BenchError>,
+) -> Result<Box<dyn Subject>, BenchError> {
+    Ok(Box::new(subject?))
+}
+
 /// Two swirls between rigid walls, which shifting, exchange and dissipation act on.
-fn liquid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
+pub(super) fn liquid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
     const SPEED: f64 = 20.0;
     let (position, area) = lattice(n);
     let mut fluid = Fluid::new(&Start {
@@ -165,8 +186,50 @@ fn liquid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
     alone("liquid", Body::Fluid(fluid))
 }
 
+/// The same swirls in a cube, with a speed that varies along the third coordinate.
+fn liquid_in_space(n: usize) -> Result<Liquid, BenchError> {
+    const SPEED: f64 = 20.0;
+    let across = (n as f64).cbrt().round().max(1.0) as usize;
+    let dx = SIDE / across as f64;
+    let place = |k: usize| [k % across, k / across % across, k / (across * across)];
+    let centre = |k: usize| place(k).map(|i| (i as f64 + 0.5) * dx);
+    let lattice: Vec<[f64; 3]> = (0..across.pow(3)).map(centre).collect();
+    let order = compact_order(&lattice);
+    let position: Vec<[f64; 3]> = order.iter().map(|&i| lattice[i as usize]).collect();
+    let mut fluid = Fluid::new(&Start {
+        geometry: Geometry::Plane,
+        eos: named("water")?.fluid().map_err(missing)?,
+        position: &position,
+        area: &vec![dx.powi(3); position.len()],
+        pressure: 50e6,
+        velocity: [0.0; 3],
+        formulation: Formulation::Corrected(corrected::Settings::default()),
+    });
+    for (v, x) in fluid.velocity.iter_mut().zip(&position) {
+        let [a, b, c] = x.map(|x| 2.0 * PI * x / SIDE);
+        let speed = SPEED * c.cos();
+        *v = [-speed * a.sin() * b.cos(), speed * a.cos() * b.sin(), 0.0];
+    }
+    for k in 0..3 {
+        for sign in [1.0, -1.0] {
+            let mut normal = [0.0; 3];
+            normal[k] = sign;
+            fluid.sides.push(Plane {
+                normal,
+                offset: f64::min(sign, 0.0) * SIDE,
+                speed: 0.0,
+            });
+        }
+    }
+    Ok(Liquid {
+        fluid,
+        time: 0.0,
+        phases: Phases::default(),
+    })
+}
+
 /// A block that is squeezed along its height at a rate that makes it yield within about ten steps.
-fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
+pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
     const STRAIN_PER_STEP: f64 = -5e-4;
     let (position, area) = lattice(n);
     let terms = Terms {

@@ -35,9 +35,6 @@ fn list() {
         let star = if w.usual { '*' } else { ' ' };
         say!("{star} {:22} {}", w.name, w.description);
     }
-    for what in bench::ABSENT {
-        say!("  not there: {what}");
-    }
 }
 
 /// Measures each workload in a process of its own.
