@@ -76,13 +76,13 @@ pub(crate) fn sweep<const D: usize>(
     sweep: &mut Sweep<D>,
 ) -> Vec<Forces<D>> {
     let places = &sweep.places;
-    let kinematics = |a: usize| &sweep.memory.kinematics.results[places.place(a)];
+    let kinematics = |a: usize| &sweep.memory.kinematics.results[places.of(a)];
     let memory = &mut sweep.memory.momentum;
     let of = |a: usize| particle(fluid, velocity[a], kinematics(a), outside[a], a);
     places.sum(&Law::<D>, ghosts, of, image, memory);
     let forces = |a: usize| {
         let correction = correction(kinematics(a));
-        memory.results[places.place(a)].forces(correction, fluid.density(a))
+        memory.results[places.of(a)].forces(correction, fluid.density(a))
     };
     (0..fluid.len())
         .into_par_iter()

@@ -91,7 +91,7 @@ impl<const D: usize> Sweep<D> {
     /// What the first sweep found for particle `a`.
     #[inline]
     pub(crate) fn kinematics(&self, a: usize) -> &Kinematics<D> {
-        &self.memory.kinematics.results[self.places.place(a)]
+        &self.memory.kinematics.results[self.places.of(a)]
     }
 }
 
