@@ -52,11 +52,16 @@ fn a_saved_state_goes_on_with_the_same_bits() {
     let saved = serde_json::to_string(&whole.state).unwrap();
     advance(&mut whole, 10);
     let mut resumed = start();
-    resumed.resume(serde_json::from_str(&saved).unwrap()).unwrap();
+    resumed
+        .resume(serde_json::from_str(&saved).unwrap())
+        .unwrap();
     advance(&mut resumed, 10);
     assert_eq!(whole.state, resumed.state);
     let mut other = build(&lattice([4, 4, 4], Strength::Elastic));
-    assert!(matches!(other.resume(whole.state), Err(SpaceError::OtherState { .. })));
+    assert!(matches!(
+        other.resume(whole.state),
+        Err(SpaceError::OtherState { .. })
+    ));
 }
 
 #[test]
@@ -84,13 +89,20 @@ fn compression_shortens_the_step() {
     }
     solid.update_stress(1e-9).unwrap();
     let pressed = solid.stable_time_step();
-    assert!((pressed.dt / free.dt - 0.5).abs() < 1e-6, "{}", pressed.dt / free.dt);
+    assert!(
+        (pressed.dt / free.dt - 0.5).abs() < 1e-6,
+        "{}",
+        pressed.dt / free.dt
+    );
 }
 
 #[test]
 fn memory_per_particle_is_below_350_bytes() {
     let solid = build(&lattice([40, 40, 40], Strength::Elastic));
     let bytes = solid.memory() as f64 / solid.len() as f64;
-    println!("{bytes} bytes per particle, {} neighbours", solid.pairs() / solid.len());
+    println!(
+        "{bytes} bytes per particle, {} neighbours",
+        solid.pairs() / solid.len()
+    );
     assert!(bytes < 350.0, "{bytes}");
 }

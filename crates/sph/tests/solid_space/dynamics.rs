@@ -28,7 +28,8 @@ fn speed_of_first_mode(solid: &mut SpaceSolid, count: usize) -> f64 {
     solid.accelerations(0.0);
     let dt = solid.stable_time_step().dt;
     let amplitude = |solid: &SpaceSolid| -> f64 {
-        let each = |a: usize| solid.state.velocity.get(a)[0] * shape(solid.reference_position(a)[0]);
+        let each =
+            |a: usize| solid.state.velocity.get(a)[0] * shape(solid.reference_position(a)[0]);
         (0..solid.len()).map(each).sum()
     };
     let (mut before, mut time) = (amplitude(solid), 0.0);
@@ -90,7 +91,10 @@ fn a_body_that_vibrates_freely_keeps_its_energy() {
             advance(&mut solid, 500);
             let change = solid.energy_defect() / start - 1.0;
             let stored = solid.energy();
-            println!("{hourglass}: {change:e}, {stored:?}, {:?}", solid.state.work);
+            println!(
+                "{hourglass}: {change:e}, {stored:?}, {:?}",
+                solid.state.work
+            );
             // Kick and drift keep energy to the second order of the step.
             assert!(change.abs() < 3e-3, "{change}");
             assert!(stored.elastic > 0.05 * start);
@@ -139,8 +143,11 @@ fn the_ledger_closes_in_an_impact_and_under_a_driven_face() {
     let (energy, work) = (solid.energy(), solid.state.work);
     let defect = (solid.energy_defect() - start) / work.driving;
     println!("{steps} steps: {energy:?} {work:?} defect {defect:e}");
-    assert!(energy.plastic_work > 0.3 * work.driving && defect.abs() < 0.01, "{defect}");
-    let [shift] = [solid.state.position.get(0)]
-        .map(|x| (x[2] - solid.reference_position(0)[2]).abs());
+    assert!(
+        energy.plastic_work > 0.3 * work.driving && defect.abs() < 0.01,
+        "{defect}"
+    );
+    let [shift] =
+        [solid.state.position.get(0)].map(|x| (x[2] - solid.reference_position(0)[2]).abs());
     assert!(shift < 1e-20 || solid.reference_position(0)[2] > DX);
 }

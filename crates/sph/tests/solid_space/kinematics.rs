@@ -55,7 +55,10 @@ fn turning_leaves_no_stress_and_turns_the_stress_there_is() {
         }
         let before = solid.stress(7);
         for k in 1..=steps {
-            let q = rotation(AXIS, 2.0 * std::f64::consts::PI * f64::from(k) / f64::from(steps));
+            let q = rotation(
+                AXIS,
+                2.0 * std::f64::consts::PI * f64::from(k) / f64::from(steps),
+            );
             let map = if start {
                 q.map(|row| std::array::from_fn(|j| row[j] * stretch[j][j]))
             } else {
@@ -100,9 +103,15 @@ fn an_eighth_of_a_turn_carries_the_stress_along() {
 #[test]
 fn a_body_turned_inside_out_is_an_error() {
     let mut solid = build(&lattice([6, 6, 6], johnson_cook()));
-    place(&mut solid, &[[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    place(
+        &mut solid,
+        &[[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    );
     let why = solid.update_stress(1e-9).unwrap_err().to_string();
-    assert!(why.contains("particle 0") && why.contains("inside out"), "{why}");
+    assert!(
+        why.contains("particle 0") && why.contains("inside out"),
+        "{why}"
+    );
     let mut solid = build(&lattice([6, 6, 6], johnson_cook()));
     solid.state.position.set(30, [f64::NAN, DX, DX]);
     assert!(solid.update_stress(1e-9).is_err());

@@ -66,7 +66,10 @@ fn a_slab_moves_as_the_plane_solid() {
     for a in 0..slab.len() {
         let start = slab.reference_position(a);
         let [i, j] = [0, 1].map(|k| (start[k] / DX) as usize);
-        let (x, y) = (slab.state.position.get(a), flat.state.position[i + COUNT * j]);
+        let (x, y) = (
+            slab.state.position.get(a),
+            flat.state.position[i + COUNT * j],
+        );
         for k in 0..2 {
             let (u, w) = (x[k] - start[k], y[k] - start[k]);
             largest = largest.max((u - w).abs());
@@ -75,7 +78,10 @@ fn a_slab_moves_as_the_plane_solid() {
         }
         assert_eq!(x[2], start[2]);
     }
-    let (share, most) = ((gap / square).sqrt(), largest / (square / slab.len() as f64).sqrt());
+    let (share, most) = (
+        (gap / square).sqrt(),
+        largest / (square / slab.len() as f64).sqrt(),
+    );
     println!("difference {share:e}, largest {most:e}");
     // Two kernels, and free faces whose outer layer is too soft in either.
     assert!(share < 0.02 && most < 0.1, "{share} {most}");

@@ -135,7 +135,10 @@ mod tests {
     fn the_last_cluster_is_filled_up_with_the_last_particle() {
         let mut blocks = Blocks::collect(11, |a| [a as f64, -1.0]);
         blocks.set(10, [7.0, 8.0]);
-        assert_eq!(blocks.blocks[1].0[0], [8.0, 9.0, 7.0, 7.0, 7.0, 7.0, 7.0, 7.0]);
+        assert_eq!(
+            blocks.blocks[1].0[0],
+            [8.0, 9.0, 7.0, 7.0, 7.0, 7.0, 7.0, 7.0]
+        );
         assert_eq!(blocks.blocks[1].0[1][7], 8.0);
         assert_eq!((blocks.get(3), blocks.iter().count()), ([3.0, -1.0], 11));
     }

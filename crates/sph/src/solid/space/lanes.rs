@@ -27,7 +27,10 @@ pub(super) fn product<S: Simd>(a: &Matrix<S>, b: &Matrix<S>) -> Matrix<S> {
     let mut c = *a;
     for i in 0..3 {
         for j in 0..3 {
-            let (p, q) = ([a[3 * i], a[3 * i + 1], a[3 * i + 2]], [b[j], b[j + 3], b[j + 6]]);
+            let (p, q) = (
+                [a[3 * i], a[3 * i + 1], a[3 * i + 2]],
+                [b[j], b[j + 3], b[j + 6]],
+            );
             c[3 * i + j] = dot(p, q);
         }
     }
@@ -80,7 +83,10 @@ pub(super) fn cofactors<S: Simd>(a: &Matrix<S>) -> Matrix<S> {
 /// Determinant of a matrix with these cofactors.
 #[inline(always)]
 pub(super) fn determinant<S: Simd>(a: &Matrix<S>, cofactors: &Matrix<S>) -> S {
-    dot([a[0], a[1], a[2]], [cofactors[0], cofactors[1], cofactors[2]])
+    dot(
+        [a[0], a[1], a[2]],
+        [cofactors[0], cofactors[1], cofactors[2]],
+    )
 }
 
 #[inline(always)]

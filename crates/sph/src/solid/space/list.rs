@@ -76,7 +76,9 @@ impl List {
 
     /// Bytes taken.
     pub(super) fn memory(&self) -> usize {
-        self.start.len() * size_of::<usize>() + self.cluster.len() * size_of::<u32>() + self.lanes.len()
+        self.start.len() * size_of::<usize>()
+            + self.cluster.len() * size_of::<u32>()
+            + self.lanes.len()
     }
 
     /// Clusters near a cluster, with the lanes of theirs that are neighbours.

@@ -264,12 +264,10 @@ impl SpaceSolid {
         let q = self.state.flux.get(particle);
         let m = self.reference.moment.get(particle);
         let f = self.state.deformation.get(particle);
-        let nominal = |i: usize, k: usize| -> f64 {
-            (0..3).map(|l| q[3 * i + l] * m[lanes::AT[l][k]]).sum()
-        };
-        let tau = |i: usize, j: usize| -> f64 {
-            (0..3).map(|k| nominal(i, k) * f[3 * j + k]).sum()
-        };
+        let nominal =
+            |i: usize, k: usize| -> f64 { (0..3).map(|l| q[3 * i + l] * m[lanes::AT[l][k]]).sum() };
+        let tau =
+            |i: usize, j: usize| -> f64 { (0..3).map(|k| nominal(i, k) * f[3 * j + k]).sum() };
         Sym3 {
             xx: tau(0, 0),
             yy: tau(1, 1),
@@ -373,8 +371,8 @@ impl Reference {
         for (particle, m) in self.moment.iter().enumerate() {
             let [xx, yy, zz, xy, xz, yz] = m;
             let mean = (xx + yy + zz) / 3.0;
-            let determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz)
-                + xz * (xy * yz - yy * xz);
+            let determinant =
+                xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
             // Not a number counts as too small.
             if !(determinant > LEAST_MOMENT * mean.powi(3)) {
                 let [x, y, z, _, _] = self.place.get(particle);

@@ -220,7 +220,14 @@ fn alone<S: Simd>(
     let [size, strain, shear_modulus] = lanes.map(S::store);
     for l in (0..LANES).filter(|l| unsolved >> l & 1 == 1) {
         let strength = &laws.material.strength;
-        match radial_return(size[l], strain[l], laws.dt, heat[l], shear_modulus[l], strength) {
+        match radial_return(
+            size[l],
+            strain[l],
+            laws.dt,
+            heat[l],
+            shear_modulus[l],
+            strength,
+        ) {
             Ok(found) => (results[0][l], results[1][l]) = (found.increment, found.yield_stress),
             Err(_) if l >= count => {}
             Err(why) => return Some((l, Failure::Return(why))),

@@ -8,6 +8,7 @@ use super::lanes::{dot, times};
 use super::points::{Fields, Laws, Update};
 use super::sums::{self, Moving};
 use super::{SpaceError, SpaceSolid, TASK, stretch};
+use crate::phases::{Phase, Phases};
 use crate::simd::{self, LANES, Simd, Task};
 use rayon::prelude::*;
 
@@ -155,11 +156,23 @@ impl SpaceSolid {
     /// # Errors
     /// As [`Self::update_stress`].
     pub fn step(&mut self, dt: f64) -> Result<(), SpaceError> {
+        self.timed_step(dt, &mut Phases::default())
+    }
+
+    /// The same; tells how long its parts took.
+    ///
+    /// # Errors
+    /// As [`Self::update_stress`].
+    pub fn timed_step(&mut self, dt: f64, phases: &mut Phases) -> Result<(), SpaceError> {
+        phases.start();
         self.kick(0.5 * dt);
         self.drift(dt);
+        phases.lap(Phase::Integrate);
         self.update_stress(dt)?;
         self.accelerations(dt);
+        phases.lap(Phase::Sweeps);
         self.kick(0.5 * dt);
+        phases.lap(Phase::Integrate);
         Ok(())
     }
 }

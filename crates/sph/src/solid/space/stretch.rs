@@ -28,8 +28,7 @@ pub(super) fn smallest(f: &[f64; 9]) -> f64 {
         return q.sqrt();
     }
     let b = b.map(|x| x / p);
-    let determinant = b[0] * (b[1] * b[2] - b[5] * b[5])
-        - b[3] * (b[3] * b[2] - b[5] * b[4])
+    let determinant = b[0] * (b[1] * b[2] - b[5] * b[5]) - b[3] * (b[3] * b[2] - b[5] * b[4])
         + b[4] * (b[3] * b[5] - b[1] * b[4]);
     let phi = (0.5 * determinant).clamp(-1.0, 1.0).acos() / 3.0;
     let least = q + 2.0 * p * (phi + 2.0 * PI / 3.0).cos();
@@ -79,7 +78,12 @@ mod tests {
 
     #[test]
     fn smallest_stretch_of_a_turned_stretch() {
-        for stretches in [[1.0, 1.0, 1.0], [1.8, 0.3, 1.0], [0.9, 1.0, 1.0], [2.0, 2.0, 0.5]] {
+        for stretches in [
+            [1.0, 1.0, 1.0],
+            [1.8, 0.3, 1.0],
+            [0.9, 1.0, 1.0],
+            [2.0, 2.0, 0.5],
+        ] {
             let f = turned(stretches);
             let least = stretches.iter().copied().fold(9.0, f64::min);
             assert!((smallest(&f) - least).abs() < 1e-7, "{}", smallest(&f));

@@ -46,7 +46,9 @@ mod tests {
         let n = 20_000;
         let d = 1.2 / f64::from(n);
         let at = |i: i32| (f64::from(i) + 0.5) * d;
-        (0..n).map(|i| f(at(i)) * 4.0 * PI * at(i).powi(2) * d).sum()
+        (0..n)
+            .map(|i| f(at(i)) * 4.0 * PI * at(i).powi(2) * d)
+            .sum()
     }
 
     #[test]
