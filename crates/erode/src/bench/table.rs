@@ -71,3 +71,16 @@ fn line(machine: &Machine, run: &Run) -> String {
         phases.join(", ")
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_known_is_a_dash_and_no_zero() {
+        assert_eq!(
+            [known(Some(0.0), 0), known(Some(1.25), 1), known(None, 0)],
+            ["0", "1.2", "-"]
+        );
+    }
+}

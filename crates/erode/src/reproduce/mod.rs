@@ -161,7 +161,9 @@ impl Reproduction {
 
 /// A statement is judged only by numbers: what is none, or has no bound, was not determined.
 fn with_data(check: Check) -> Check {
-    if check.is_judged() && !check.value.is_finite() {
+    let numbers = [Some(check.value), check.reference, check.error];
+    let known = numbers.iter().flatten().all(|x| x.is_finite());
+    if check.is_judged() && !known {
         check.without_data("a number that it needs could not be determined")
     } else {
         check
@@ -281,6 +283,8 @@ mod tests {
             let lacking = of(vec![ratio(2.0), ratio(unknown)]);
             assert_eq!(lacking, "not judged in full (1 of 2 lack data)");
         }
+        let unbounded = Check::more_than("place", "m", 1.0, f64::NAN, "");
+        assert_eq!(of(vec![unbounded]), "not judged in full (1 of 1 lack data)");
         let shown = Check::shown("jet", "m/s", 900.0, None, "");
         assert_eq!(of(vec![shown]), "nothing is judged");
         assert_eq!(verdict(&outcome(Vec::new(), Some("why"))), "not computed");
