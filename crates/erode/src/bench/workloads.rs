@@ -1,7 +1,7 @@
 //! The standard workloads.
 
 use super::BenchError;
-use super::subject::{Liquid, Subject};
+use super::subject::{Liquid, SolidInSpace, Subject};
 use crate::case::Case;
 use crate::materials::{Library, Material, Terms};
 use crate::run;
@@ -11,7 +11,7 @@ use erode_sph::fluid::ghosts::Plane;
 use erode_sph::fluid::{Fluid, Formulation, Start, corrected};
 use erode_sph::neighbours::compact_order;
 use erode_sph::phases::Phases;
-use erode_sph::solid::{Block, Face, Numerics, Setup, Solid};
+use erode_sph::solid::{Block, Face, Numerics, Setup, Solid, space};
 use erode_sph::world::{Body, Named, World};
 use std::f64::consts::PI;
 
@@ -82,6 +82,15 @@ const LIQUID_SPACE: Workload = Workload {
     ..LIQUID
 };
 
+const SOLID_SPACE: Workload = Workload {
+    name: "solid-space",
+    description: "the same steel in a cube, three dimensions, drawn out until all of it yields",
+    steps: 30,
+    target: Some(1.4),
+    build: |n| boxed(solid_in_space(n)),
+    ..LIQUID
+};
+
 const MIXTURE: Workload = Workload {
     name: "main-case",
     description: "bubble next to steel, 30 particles per radius: graded liquid and solid with their interface",
@@ -106,6 +115,7 @@ pub const ALL: [Workload; 12] = [
         build: |n| boxed(solid(Geometry::Axisymmetric, n)),
         ..SOLID
     },
+    SOLID_SPACE,
     MIXTURE,
     Workload {
         name: "liquid-plane-1m",
@@ -136,6 +146,13 @@ pub const ALL: [Workload; 12] = [
         steps: 5,
         usual: false,
         ..LIQUID_SPACE
+    },
+    Workload {
+        name: "solid-space-1m",
+        particles: 1_000_000,
+        steps: 10,
+        usual: false,
+        ..SOLID_SPACE
     },
     Workload {
         name: "main-case-60",
@@ -291,15 +308,44 @@ fn liquid_in_space(n: usize) -> Result<Liquid, BenchError> {
     })
 }
 
-/// A block that is squeezed along its height at a rate that makes it yield within about ten steps.
-pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
-    const STRAIN_PER_STEP: f64 = -5e-4;
-    let (position, area) = lattice(n);
+fn steel() -> Result<material_point::Material, BenchError> {
     let terms = Terms {
         strain_rate: true,
         thermal_softening: false,
     };
     let (density, elastic, strength) = named("steel_a2205")?.solid(terms).map_err(missing)?;
+    Ok(material_point::Material {
+        elastic,
+        strength,
+        density,
+        temperature: 293.0,
+    })
+}
+
+/// A cube that is drawn out along its height, and in across, at a rate that makes it yield within about ten steps.
+fn solid_in_space(n: usize) -> Result<SolidInSpace, BenchError> {
+    const STRAIN_PER_STEP: f64 = 5e-4;
+    let across = (n as f64).cbrt().round().max(1.0) as usize;
+    let setup = space::Setup::lattice(steel()?, [across; 3], SIDE / across as f64);
+    let mut solid = space::SpaceSolid::new(&setup)?;
+    drop(setup);
+    let rate = STRAIN_PER_STEP / solid.stable_time_step().dt;
+    for a in 0..solid.len() {
+        let [x, y, z] = solid.reference_position(a);
+        let v = [-0.5 * rate * x, -0.5 * rate * y, rate * z];
+        solid.state.velocity.set(a, v);
+    }
+    solid.accelerations(0.0);
+    Ok(SolidInSpace {
+        solid,
+        phases: Phases::default(),
+    })
+}
+
+/// A block that is squeezed along its height at a rate that makes it yield within about ten steps.
+pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
+    const STRAIN_PER_STEP: f64 = -5e-4;
+    let (position, area) = lattice(n);
     let left = if geometry == Geometry::Axisymmetric {
         Face::Axis
     } else {
@@ -315,12 +361,7 @@ pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
             bottom: Face::Symmetry,
             top: Face::Traction,
         },
-        material: material_point::Material {
-            elastic,
-            strength,
-            density,
-            temperature: 293.0,
-        },
+        material: steel()?,
         numerics: Numerics::default(),
         area: vec![area; position.len()],
         position,

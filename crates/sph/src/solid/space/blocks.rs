@@ -17,16 +17,16 @@ impl<const N: usize> Block<N> {
     #[inline(always)]
     pub(super) fn load<S: Simd>(&self) -> [S; N] {
         let mut lanes = [S::splat(0.0); N];
-        for i in 0..N {
-            lanes[i] = S::load(&self.0[i]);
+        for (lanes, numbers) in lanes.iter_mut().zip(&self.0) {
+            *lanes = S::load(numbers);
         }
         lanes
     }
 
     #[inline(always)]
     pub(super) fn store<S: Simd>(&mut self, lanes: [S; N]) {
-        for i in 0..N {
-            self.0[i] = lanes[i].store();
+        for (numbers, lanes) in self.0.iter_mut().zip(lanes) {
+            *numbers = lanes.store();
         }
     }
 

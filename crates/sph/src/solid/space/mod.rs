@@ -5,7 +5,7 @@
 //! the velocity of particles can be held: symmetry planes, clamped and driven parts.
 //!
 //! Particles stand in clusters of eight, and so do all numbers about them (`blocks.rs`); neighbours are found once (`list.rs`), their
-//! weights are computed anew in every sum (`weight.rs`), which is faster than to load them and needs no memory. The formulas stand
+//! weights are computed anew in every sum (`weight.rs`), which needs no memory and neither root nor quotient. The formulas stand
 //! on top of `sums.rs` and `points.rs`. Sums have one writer and a fixed order: results are the same bits for any number of
 //! threads and any width of the lanes.
 
@@ -15,6 +15,8 @@ mod error;
 mod lanes;
 mod list;
 mod points;
+mod reference;
+mod setup;
 mod step;
 mod stretch;
 mod sums;
@@ -23,58 +25,17 @@ mod weight;
 pub use blocks::Blocks;
 pub use energy::Work;
 pub use error::SpaceError;
+pub use setup::{Numerics, Setup};
 
 use super::patches;
-use crate::simd::{self, LANES, Simd, Task};
-use blocks::Block;
+use crate::simd::LANES;
 use erode_physics::Sym3;
 use erode_physics::material_point::Material;
-use list::List;
-use rayon::prelude::*;
+use reference::Reference;
 use serde::{Deserialize, Serialize};
 
 /// Clusters per task: large enough to hide the cost of a task. The ledger adds task by task.
 const TASK: usize = 32;
-
-/// Smallest determinant of a moment matrix of mean 1 that spans a gradient; 0.3 in a corner of a cube.
-const LEAST_MOMENT: f64 = 0.01;
-
-/// Numerical constants of the formulation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Numerics {
-    /// Smoothing length in units of the cubic root of the particle's volume; the support radius is twice that.
-    pub smoothing_ratio: f64,
-    /// Linear artificial viscosity alpha, on approach.
-    pub viscosity: f64,
-    /// Hourglass stiffness zeta.
-    pub hourglass: f64,
-    /// Stable step in units of spacing / longitudinal wave speed.
-    pub courant: f64,
-}
-
-impl Default for Numerics {
-    fn default() -> Self {
-        Self {
-            smoothing_ratio: 1.2,
-            viscosity: 0.2,
-            hourglass: 0.1,
-            courant: 0.4,
-        }
-    }
-}
-
-/// What a solid is made from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setup {
-    /// Material.
-    pub material: Material,
-    /// Numerical constants.
-    pub numerics: Numerics,
-    /// Reference positions, m.
-    pub position: Vec<[f64; 3]>,
-    /// Volume of each particle, m3.
-    pub volume: Vec<f64>,
-}
 
 /// A solid body in three dimensions; its particles stand in an order of their own ([`Self::order`]).
 #[derive(Debug, Clone)]
@@ -114,17 +75,6 @@ pub struct State {
     pub plastic_work: Blocks<1>,
     /// Work done so far.
     pub work: Work,
-}
-
-/// The body as it was at the start.
-#[derive(Debug, Clone)]
-struct Reference {
-    /// Position, smoothing length (m) and share in the weights of pairs.
-    place: Blocks<5>,
-    /// Moment matrix M, see `sums.rs`.
-    moment: Blocks<6>,
-    list: List,
-    smoothing_ratio: f64,
 }
 
 /// Factors of the sums of viscous and hourglass accelerations.
@@ -304,116 +254,5 @@ impl SpaceSolid {
             masses[l] = self.material.density * (spacing * spacing * spacing);
         }
         masses
-    }
-}
-
-impl Setup {
-    /// Particles at the centres of the cubes with this edge (m) that fill a box from the origin.
-    #[must_use]
-    pub fn lattice(material: Material, count: [usize; 3], spacing: f64) -> Self {
-        let n = count[0] * count[1] * count[2];
-        let place = |k: usize| {
-            let (row, layer) = (k / count[0], k / (count[0] * count[1]));
-            [k % count[0], row % count[1], layer].map(|i| (i as f64 + 0.5) * spacing)
-        };
-        Self {
-            material,
-            numerics: Numerics::default(),
-            position: (0..n).map(place).collect(),
-            volume: vec![spacing.powi(3); n],
-        }
-    }
-
-    fn check(&self) -> Result<(), SpaceError> {
-        let (positions, volumes) = (self.position.len(), self.volume.len());
-        if positions != volumes || positions == 0 || u32::try_from(positions).is_err() {
-            return Err(SpaceError::BadCount { positions, volumes });
-        }
-        for (particle, (&position, &volume)) in self.position.iter().zip(&self.volume).enumerate() {
-            let usable = position.iter().all(|x| x.is_finite());
-            if !usable || !volume.is_finite() || volume <= 0.0 {
-                return Err(SpaceError::BadParticle {
-                    particle,
-                    position,
-                    volume,
-                });
-            }
-        }
-        Ok(())
-    }
-}
-
-impl Reference {
-    fn new(setup: &Setup, order: &[u32]) -> Result<Self, SpaceError> {
-        let smoothing_ratio = setup.numerics.smoothing_ratio;
-        let place = Blocks::collect(order.len(), |a| {
-            let a = order[a] as usize;
-            let ([x, y, z], volume) = (setup.position[a], setup.volume[a]);
-            let h = smoothing_ratio * volume.cbrt();
-            [x, y, z, h, weight::share(volume, h)]
-        });
-        let mut moment = Blocks::splat(place.len(), [0.0; 6]);
-        let mut reference = Self {
-            moment: Blocks::default(),
-            list: List::new(&place),
-            place,
-            smoothing_ratio,
-        };
-        (moment.blocks.par_chunks_mut(TASK).enumerate()).for_each(|(task, moment)| {
-            simd::run(Moments(&reference, task, moment));
-        });
-        reference.moment = moment;
-        reference.check()?;
-        Ok(reference)
-    }
-
-    fn check(&self) -> Result<(), SpaceError> {
-        for (particle, m) in self.moment.iter().enumerate() {
-            let [xx, yy, zz, xy, xz, yz] = m;
-            let mean = (xx + yy + zz) / 3.0;
-            let determinant =
-                xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-            // Not a number counts as too small.
-            if !(determinant > LEAST_MOMENT * mean.powi(3)) {
-                let [x, y, z, _, _] = self.place.get(particle);
-                return Err(SpaceError::TooFewNeighbours {
-                    particle,
-                    position: [x, y, z],
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// k = A/V of a cluster.
-    #[inline(always)]
-    fn pair_factor<S: Simd>(&self, cluster: usize) -> S {
-        let [_, _, _, h, share] = self.place.blocks[cluster].load::<S>();
-        let spacing = h * S::splat(1.0 / self.smoothing_ratio);
-        share / (spacing * spacing * spacing)
-    }
-
-    /// m = A^2/V of a cluster.
-    #[inline(always)]
-    fn damper_factor<S: Simd>(&self, cluster: usize) -> S {
-        let [_, _, _, _, share] = self.place.blocks[cluster].load::<S>();
-        self.pair_factor::<S>(cluster) * share
-    }
-}
-
-/// Moment matrices of the clusters of a task.
-struct Moments<'a>(&'a Reference, usize, &'a mut [Block<6>]);
-
-impl Task for Moments<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let Self(reference, task, moments) = self;
-        for (k, moment) in moments.iter_mut().enumerate() {
-            let cluster = task * TASK + k;
-            let sum = sums::moment::<S>(&reference.list, &reference.place, cluster);
-            moment.store(lanes::times(sum, reference.pair_factor(cluster)));
-        }
     }
 }

@@ -142,8 +142,8 @@ impl<S: Simd> Point<S> {
         let (zero, one) = (S::splat(0.0), S::splat(1.0));
         let mean = (self.tau[0] + self.tau[1] + self.tau[2]) * S::splat(1.0 / 3.0);
         let mut tau = self.tau;
-        for i in 0..3 {
-            tau[i] = tau[i] - mean;
+        for normal in &mut tau[..3] {
+            *normal = *normal - mean;
         }
         let per_j = one / self.j;
         let size = von_mises(&tau) * per_j;
@@ -176,8 +176,8 @@ impl<S: Simd> Point<S> {
         f.plastic_strain_rate[k].store([increment / dt]);
         f.plastic_work[k].store([(stress * increment).mul_add(self.j, work)]);
         let mut tau = times(tau, scale);
-        for i in 0..3 {
-            tau[i] = tau[i] + mean;
+        for normal in &mut tau[..3] {
+            *normal = *normal + mean;
         }
         (tau, failure)
     }

@@ -8,6 +8,7 @@ use super::lanes::{dot, times};
 use super::points::{Fields, Laws, Update};
 use super::sums::{self, Moving};
 use super::{SpaceError, SpaceSolid, TASK, stretch};
+use crate::phases::{Phase, Phases};
 use crate::simd::{self, LANES, Simd, Task};
 use rayon::prelude::*;
 
@@ -24,38 +25,34 @@ impl SpaceSolid {
     /// 0.8 counts as compressed by the smallest principal stretch.
     #[must_use]
     pub fn stable_time_step(&self) -> StepLimit {
-        let speed = self.material.elastic;
-        let speed = speed.longitudinal_speed(self.material.density);
-        let spacing = |a: usize| {
-            let f = self.state.deformation.get(a);
-            self.spacing(a) * (stretch::smallest(&f) / ROOM).min(1.0)
-        };
-        let least = |cluster: usize| {
-            let first = cluster * LANES;
-            let all = first..self.len().min(first + LANES);
-            let place = &self.reference.place.blocks[cluster].0[3];
-            let calm = stretch::is_above(&self.state.deformation.blocks[cluster], ROOM);
-            all.map(|a| match calm {
-                true => (a, place[a - first] / self.numerics.smoothing_ratio),
-                false => (a, spacing(a)),
-            })
-            .fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m })
-        };
-        let tasks = self.reference.place.blocks.len().div_ceil(LONG_TASK);
+        let elastic = &self.material.elastic;
+        let clusters = self.reference.place.blocks.len();
         let of_task = |task: usize| {
-            let clusters = self.reference.place.blocks.len();
-            (task * LONG_TASK..clusters.min((task + 1) * LONG_TASK))
-                .map(least)
-                .fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m })
+            let last = clusters.min((task + 1) * LONG_TASK);
+            least((task * LONG_TASK..last).map(|c| self.shortest_spacing(c)))
         };
-        let all: Vec<(usize, f64)> = (0..tasks).into_par_iter().map(of_task).collect();
-        let (particle, smallest) =
-            (all.into_iter()).fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m });
+        let tasks = 0..clusters.div_ceil(LONG_TASK);
+        let all: Vec<(usize, f64)> = tasks.into_par_iter().map(of_task).collect();
+        let (particle, spacing) = least(all.into_iter());
         StepLimit {
-            dt: self.numerics.courant * smallest / speed,
+            dt: self.numerics.courant * spacing / elastic.longitudinal_speed(self.material.density),
             particle,
             reason: "longitudinal wave in the solid",
         }
+    }
+
+    /// The particle of a cluster with the shortest spacing, and that spacing as it counts for the step, m.
+    fn shortest_spacing(&self, cluster: usize) -> (usize, f64) {
+        let deformation = &self.state.deformation;
+        let calm = stretch::is_above(&deformation.blocks[cluster], ROOM);
+        let first = cluster * LANES;
+        least((first..self.len().min(first + LANES)).map(|a| {
+            let stretch = match calm {
+                true => 1.0,
+                false => (stretch::smallest(&deformation.get(a)) / ROOM).min(1.0),
+            };
+            (a, self.spacing(a) * stretch)
+        }))
     }
 
     /// Adds acceleration x `dt` to the velocities.
@@ -155,13 +152,30 @@ impl SpaceSolid {
     /// # Errors
     /// As [`Self::update_stress`].
     pub fn step(&mut self, dt: f64) -> Result<(), SpaceError> {
+        self.timed_step(dt, &mut Phases::default())
+    }
+
+    /// The same; tells how long its parts took.
+    ///
+    /// # Errors
+    /// As [`Self::update_stress`].
+    pub fn timed_step(&mut self, dt: f64, phases: &mut Phases) -> Result<(), SpaceError> {
+        phases.start();
         self.kick(0.5 * dt);
         self.drift(dt);
+        phases.lap(Phase::Integrate);
         self.update_stress(dt)?;
         self.accelerations(dt);
+        phases.lap(Phase::Sweeps);
         self.kick(0.5 * dt);
+        phases.lap(Phase::Integrate);
         Ok(())
     }
+}
+
+/// The first of those with the smallest number.
+fn least(all: impl Iterator<Item = (usize, f64)>) -> (usize, f64) {
+    all.fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m })
 }
 
 /// Adds `dt` times a rate.
