@@ -199,6 +199,15 @@ impl Ran {
         self.summary.get(name).unwrap_or(f64::NAN)
     }
 
+    /// A scalar of the metal for a comparison with other metal: not a number where it did not yield.
+    pub(super) fn of_yielded(&self, name: &str) -> f64 {
+        if self.get("plastic_volume") > 0.0 {
+            self.get(name)
+        } else {
+            f64::NAN
+        }
+    }
+
     /// The unit of a scalar.
     pub(super) fn unit(&self, name: &str) -> &str {
         self.summary.unit(name).unwrap_or("-")

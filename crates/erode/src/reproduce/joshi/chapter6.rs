@@ -116,7 +116,7 @@ pub(super) fn attached(session: &Session) -> Result<Judged, Failure> {
     let (run, detached) = (ATTACHED.results(session)?, DETACHED.results(session)?);
     let spacing = run.metal()?.spacing;
     let [strain, volume] = by_jet(&run)?;
-    let ratio = strain / detached.get("max_plastic_strain");
+    let ratio = strain / detached.of_yielded("max_plastic_strain");
     let volumes = detached.get("plastic_volume") / volume;
     let checks = vec![
         stated(
@@ -183,13 +183,16 @@ pub(super) fn rate(session: &Session) -> Result<Judged, Failure> {
         DETACHED.without_rate().results(session)?,
     );
     let spacing = without.metal()?.spacing;
-    let strain = |r: &Ran| r.get("max_plastic_strain");
+    let strain = |r: &Ran| r.of_yielded("max_plastic_strain");
     let place = |r: &Ran| r.get("max_plastic_strain_r");
     let checks = vec![
         stated(
             "largest plastic strain without strain-rate effect",
             "-",
-            (strain(&without), DETACHED_STRAIN_WITHOUT_RATE),
+            (
+                without.get("max_plastic_strain"),
+                DETACHED_STRAIN_WITHOUT_RATE,
+            ),
         ),
         Check::relative(
             "that / largest strain with strain-rate effect",

@@ -22,6 +22,11 @@ fn values(runs: &[Ran], name: &str) -> Vec<f64> {
     runs.iter().map(|r| r.get(name)).collect()
 }
 
+/// For comparisons between runs: not a number where the metal did not yield.
+fn yielded(runs: &[Ran], name: &str) -> Vec<f64> {
+    runs.iter().map(|r| r.of_yielded(name)).collect()
+}
+
 /// A curve over the stand-off.
 fn figure(name: &str, title: &str, (quantity, unit): (&str, &str), values: &[f64]) -> Figure {
     let mut figure = Figure::new(name, title, ("stand-off", "-"), (quantity, unit));
@@ -32,7 +37,7 @@ fn figure(name: &str, title: &str, (quantity, unit): (&str, &str), values: &[f64
 
 pub(super) fn strain_of_standoff(session: &Session) -> Result<Judged, Failure> {
     let runs = runs(session)?;
-    let strain = values(&runs, "max_plastic_strain");
+    let strain = yielded(&runs, "max_plastic_strain");
     let volume = values(&runs, "plastic_volume");
     let (attached, detached) = strain.split_at(ATTACHED);
     let mut checks = vec![
@@ -96,7 +101,7 @@ pub(super) fn strain_of_standoff(session: &Session) -> Result<Judged, Failure> {
                     "strain",
                     "Largest plastic strain",
                     ("plastic strain", "-"),
-                    &strain,
+                    &values(&runs, "max_plastic_strain"),
                 ),
                 figure("volume", "Plastic volume", ("volume", "m3"), &volume),
             ],
@@ -110,7 +115,7 @@ pub(super) fn strain_of_standoff(session: &Session) -> Result<Judged, Failure> {
 
 pub(super) fn energy_of_standoff(session: &Session) -> Result<Judged, Failure> {
     let runs = runs(session)?;
-    let energy = values(&runs, "plastic_work");
+    let energy = yielded(&runs, "plastic_work");
     let density = values(&runs, "absorbed_energy_density");
     let near = smallest(&energy[3..=4]) / largest(&energy[..ATTACHED]);
     let checks = vec![
@@ -149,7 +154,12 @@ pub(super) fn energy_of_standoff(session: &Session) -> Result<Judged, Failure> {
                 ("energy density", "J/m3"),
                 &density,
             ),
-            figure("energy", "Absorbed energy", ("energy", "J"), &energy),
+            figure(
+                "energy",
+                "Absorbed energy",
+                ("energy", "J"),
+                &values(&runs, "plastic_work"),
+            ),
         ],
         notes: vec![note(session)],
     }
@@ -160,6 +170,7 @@ pub(super) fn potential_of_standoff(session: &Session) -> Result<Judged, Failure
     let runs = runs(session)?;
     let share = values(&runs, "plastic_deformation_potential_share");
     let percent: Vec<f64> = share.iter().map(|s| 100.0 * s).collect();
+    let share = yielded(&runs, "plastic_deformation_potential_share");
     let mut checks = Vec::new();
     for k in 0..STANDOFFS.len() {
         let quantity = format!("plastic deformation potential at {}", STANDOFFS[k]);

@@ -37,7 +37,7 @@ fn rising(runs: &[Ran], name: &str, words: &str, statement: &str) -> Vec<Check> 
         let quantity = format!("{words}: {} MPa / {} MPa", PRESSURES[high], PRESSURES[low]);
         exceeds(
             &quantity,
-            (runs[high].get(name), runs[low].get(name)),
+            (runs[high].of_yielded(name), runs[low].of_yielded(name)),
             statement,
         )
     };
@@ -102,15 +102,15 @@ pub(super) fn energy_of_pressure(session: &Session) -> Result<Judged, Failure> {
         let (d, a) = (&detached[k], &attached[k]);
         checks.push(exceeds(
             &format!("energy density at {p} MPa, attached / detached"),
-            (a.get(density), d.get(density)),
+            (a.of_yielded(density), d.of_yielded(density)),
             "\"The absorbed energy density is higher for attached cavity for all driving pressures\"",
         ));
         checks.push(exceeds(
             &format!("absorbed energy at {p} MPa, detached / attached"),
-            (d.get(energy), a.get(energy)),
+            (d.of_yielded(energy), a.of_yielded(energy)),
             "\"a higher total absorbed energy compared to an attached cavity\"",
         ));
-        share.push(d.get(energy) - a.get(energy));
+        share.push(d.of_yielded(energy) - a.of_yielded(energy));
     }
     let words = "\"The difference in total absorbed energy and hence erosion rate for detached and attached cavity seems to be more prominent as the \
                  driving pressure increases\"";

@@ -26,7 +26,7 @@ pub(super) fn rate(session: &Session) -> Result<Judged, Failure> {
     for (standoff, stated, words) in RATES {
         let with = at(standoff).results(session)?;
         let without = at(standoff).without_rate().results(session)?;
-        let ratio = |name: &str| without.get(name) / with.get(name);
+        let ratio = |name: &str| without.of_yielded(name) / with.of_yielded(name);
         let quantity = format!("largest strain at {standoff}, without / with strain-rate effect");
         let why = format!("{words}: 15 % of the ratio, as one published run");
         judged.finding.checks.push(Check::relative(
