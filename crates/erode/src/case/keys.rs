@@ -1,7 +1,7 @@
 //! The keys of a case file. This is the only list of them.
 
 use super::{
-    keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
+    keys_body::{BODY, FLUID_FORMULATION, LAYER, SOLID_FORMULATION},
     keys_bubbles::SINGLE_BUBBLE,
     keys_cloud::BUBBLE_CLOUD,
     keys_damage::DAMAGE,
@@ -167,6 +167,11 @@ static BUBBLE_NEAR_WALL: Table = table(
         ),
         required("liquid", Text, "material of the liquid"),
         required("wall", Text, "material of the wall"),
+        optional(
+            "wall_layers",
+            List(&LAYER),
+            "layers of other materials on the wall, the first one uppermost",
+        ),
         default(
             "coarsening",
             Quantity(NUMBER, Within(1.0, 32.0)),

@@ -25,6 +25,7 @@ mod keys_load;
 pub(crate) mod keys_material;
 mod keys_region;
 mod laws;
+mod layers;
 pub(crate) mod load;
 mod loads;
 pub(crate) mod node;

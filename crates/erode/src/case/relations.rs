@@ -3,6 +3,7 @@
 use super::{
     body::{Built, named},
     error::{Findings, Span},
+    layers,
     simulation::{BodyKind, Bubble, Probe, Side},
     suggest::did_you_mean,
 };
@@ -20,6 +21,7 @@ pub(crate) fn check(bodies: &[Built], complete: bool, geometry: Geometry, findin
         }
         check_fill(b, geometry, findings);
         check_holes(b, findings);
+        layers::check(b, findings);
         if complete {
             check_interfaces(b, bodies, findings);
         }

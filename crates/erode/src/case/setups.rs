@@ -3,7 +3,7 @@
 use super::{
     body::Built,
     error::Findings,
-    laws,
+    laws, layers,
     loads::Loads,
     node::Fields,
     setups_solid,
@@ -162,6 +162,7 @@ fn bubble_near_wall(
     let eos = laws::fluid(f, "liquid", None, library, findings);
     let solid = laws::solid(f, "wall", None, library, findings);
     let damage = laws::damage(f, "wall", library, findings);
+    let layers = layers::read(f, "wall_layers", library, findings);
     let (n, eos, (density, elastic, strength)) = (numbers?, eos?, solid?);
     let fluid = Fluid {
         material: f.text("liquid")?.to_owned(),
@@ -172,6 +173,7 @@ fn bubble_near_wall(
     };
     let solid = Solid {
         material: f.text("wall")?.to_owned(),
+        layers: layers?,
         density,
         elastic,
         strength,
@@ -179,7 +181,10 @@ fn bubble_near_wall(
         formulation: laws::solid_formulation(f, "wall_formulation")?,
         velocity: [0.0; 2],
     };
-    let place = |body| Built::of_setup(body, f.span, f.at("particles_per_radius"));
+    let place = |body| Built {
+        layers: f.at("wall_layers"),
+        ..Built::of_setup(body, f.span, f.at("particles_per_radius"))
+    };
     let standoff = n.distance / n.radius;
     Some(Expansion {
         title: format!(
