@@ -8,6 +8,7 @@ mod drive;
 mod error;
 mod files;
 mod impact;
+mod layers;
 mod ledger;
 mod loads;
 mod monitor;

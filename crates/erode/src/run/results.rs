@@ -1,5 +1,6 @@
 //! The final numbers of a run and their comparison with the source.
 
+use super::layers;
 use super::ledger::Ledger;
 use super::monitor::{Metal, Record, equivalent_radius, liquid, solid};
 use super::strain_profile::{Column, columns, off_axis_maximum};
@@ -57,6 +58,7 @@ pub(crate) fn summary(
     for (name, steps) in &record.limiters {
         s.set_limiter(name, *steps);
     }
+    s.set_layers(layers::rows(world, simulation));
     s.set_comparison(comparison(simulation, &s));
     s
 }

@@ -7,6 +7,7 @@ pub mod axis_function;
 pub mod corrected;
 mod extended;
 pub mod far_field;
+pub mod gas;
 pub mod ghosts;
 pub mod joshi;
 mod kinematics;
@@ -69,6 +70,8 @@ pub struct Fluid {
     pub formulation: Formulation,
     /// Which particles are summed side by side.
     pub clustering: Clustering,
+    /// Gas in its cavities, if there is any.
+    pub gas: Option<gas::Gas>,
     /// Energy that came and went, and what was counted, since the start.
     pub account: Account,
     /// Memory for the next step.
@@ -132,6 +135,7 @@ impl Fluid {
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
             clustering: Clustering::of(n),
+            gas: None,
             account: Account::default(),
             sweep: step::Sweep::default(),
         }

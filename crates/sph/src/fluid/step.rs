@@ -121,10 +121,11 @@ impl Fluid {
             Formulation::Joshi(_) => self.sum_density(&ghosts, &sweep),
         }
         self.update_pressure();
-        let outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
+        let mut outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(far, v)| far.pressure_outside(&self.eos, *v, time))
             .collect();
+        self.add_gas(&ghosts, &mut outside);
         let forces = match self.formulation {
             Formulation::Corrected(_) => {
                 momentum::sweep(self, &ghosts, &predicted, &outside, &mut sweep)
@@ -143,6 +144,20 @@ impl Fluid {
         (forces.iter().zip(&self.mass))
             .map(|(f, m)| f.wall.map(|w| -m * w))
             .collect()
+    }
+
+    /// Follows the gas; its pressure on the particles beside a cavity.
+    fn add_gas(&mut self, ghosts: &Ghosts, outside: &mut [f64]) {
+        let Some(mut gas) = self.gas.take() else {
+            return;
+        };
+        let pressure = gas.follow(self, ghosts);
+        for (a, outside) in outside.iter_mut().enumerate() {
+            if !self.far_field[a].is_some() {
+                *outside = pressure[a];
+            }
+        }
+        self.gas = Some(gas);
     }
 
     fn keep_kinematics(&mut self, kinematics: &[Kinematics]) {
