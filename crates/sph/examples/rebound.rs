@@ -46,6 +46,7 @@ fn main() {
     let mut world = World::new(vec![Named { name: "water".into(), body: Body::Fluid(f) }], 0.3).unwrap();
     let start = std::time::Instant::now();
     let mut e0 = None;
+    let (mut rmin, mut rmax) = ((0.0, 9.0), (0.0, 0.0));
     let mut next = 0.0;
     while world.time < until * tc {
         let dt = world.stable_time_step().0;
@@ -53,6 +54,9 @@ fn main() {
         let Body::Fluid(f) = &world.bodies[0].body else { unreachable!() };
         let g = f.gas.as_ref().unwrap();
         let balance = f.kinetic_energy() + f.compression_energy() + f.account.dissipation - f.account.far_field_work + g.energy() + g.lost;
+        let r = (g.volume() / v0).cbrt();
+        if r < rmin.1 { rmin = (world.time / tc, r); rmax = (0.0, 0.0); }
+        if r > rmax.1 { rmax = (world.time / tc, r); }
         let e0 = *e0.get_or_insert(balance);
         if world.time >= next * tc {
             next += 0.04;
@@ -66,5 +70,19 @@ fn main() {
             println!("{:.3} R {:.4} KM {:.4} pockets {} p {:.3e} rough {:.3} defect/pV0 {:.4} diss {:.4} closed {} steps {}", world.time / tc, r, state.radius / R0, g.pockets.len(), g.pockets.first().map_or(0.0, |p| p.pressure), (hi - lo) / (r * R0), (balance - e0) / (p * v0), f.account.dissipation/(p*v0), g.closed, world.step);
         }
     }
+    for m in 0..3 {
+        let mut state = BubbleState::at_rest(R0, 0.0).unwrap();
+        let mut ev: Vec<Event> = Vec::new();
+        let g = Gilmore { tait_exponent: 7.0, reference_pressure: p };
+        let mut liquid = liquid;
+        liquid.sound_speed = eos.sound_speed_at(eos.density(p));
+        match m {
+            0 => advance(&KellerMiksis, &liquid, &gas, &Constant { pressure: p }, &Controls::default(), &mut state, 3.0 * tc, &mut ev).map(|_| ()).unwrap(),
+            1 => advance(&TomitaShima { density_factor: 1.0 }, &liquid, &gas, &Constant { pressure: p }, &Controls::default(), &mut state, 3.0 * tc, &mut ev).map(|_| ()).unwrap(),
+            _ => advance(&g, &liquid, &gas, &Constant { pressure: p }, &Controls::default(), &mut state, 3.0 * tc, &mut ev).map(|_| ()).unwrap(),
+        }
+        eprintln!("{m} {:?}", ev.iter().map(|e| (e.time / tc, e.radius / R0)).collect::<Vec<_>>());
+    }
+    eprintln!("min {rmin:?} max {rmax:?}");
     eprintln!("{:?} {:?}", events.iter().map(|e| (e.time / tc, e.radius / R0)).collect::<Vec<_>>(), start.elapsed());
 }
