@@ -3,8 +3,8 @@
 use super::BenchError;
 use super::machine::{processor_time, resident_memory};
 use super::workloads::Workload;
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore};
-use crate::run::store_state;
+use crate::output::{Array, Checkpoint, CheckpointMeta, CheckpointStore};
+use crate::run::{accounts, store_state};
 use erode_sph::neighbours::Neighbours;
 use erode_sph::phases::Phase;
 use erode_sph::world::{Body, World};
@@ -38,8 +38,9 @@ pub struct Measurement {
     pub pairs: usize,
     /// Measured steps.
     pub steps: usize,
-    /// Resident memory after the steps less that before the world was built, per particle; bytes.
-    pub bytes_per_particle: f64,
+    /// Resident memory after the steps less that before the world was built, per particle, bytes; none where the system does
+    /// not tell.
+    pub bytes_per_particle: Option<f64>,
     /// Seconds to write one checkpoint.
     pub checkpoint_seconds: f64,
     /// One and two threads.
@@ -59,8 +60,8 @@ pub struct Run {
     pub rate: f64,
     /// All steps, 1e6 particle-steps/s.
     pub mean_rate: f64,
-    /// All steps by processor time of all threads, 1e6 particle-steps/s; 0 where the system does not tell.
-    pub rate_per_processor_second: f64,
+    /// All steps by processor time of all threads, 1e6 particle-steps/s; none where the system does not tell.
+    pub rate_per_processor_second: Option<f64>,
     /// Evaluations of a pair in the fastest block, 1e6/s.
     pub pair_rate: f64,
     /// Operations on pairs in the fastest block, 1e9/s.
@@ -96,13 +97,16 @@ pub(super) fn measure(workload: &Workload, size: usize) -> Result<Measurement, B
     let particles = world.bodies.iter().map(|b| count(&b.body)).sum();
     let single = pool(1)?;
     single.install(|| advance(&mut world, WARM_UP))?;
-    let bytes = (resident_memory() - before).max(0.0) / particles as f64;
+    let more = resident_memory()
+        .zip(before)
+        .map(|(now, before)| now - before);
+    let bytes = more.map(|m| m.max(0.0) / particles as f64);
     let start = world.clone();
     let steps = workload.steps;
     let first = single.install(|| timed(&mut world, steps, 1, particles))?;
     let mut again = start;
     let second = pool(2)?.install(|| timed(&mut again, steps, 2, particles))?;
-    if !same_bits(&world, &again) {
+    if !same_bits(&world, &again)? {
         return Err(BenchError::OtherBits {
             name: workload.name.to_owned(),
             threads: 2,
@@ -150,7 +154,9 @@ fn timed(
         fastest = f64::min(fastest, seconds);
         all += seconds;
     }
-    let processor = processor_time() - processor;
+    let processor = processor_time()
+        .zip(processor)
+        .map(|(now, then)| now - then);
     let million = |steps: usize, seconds: f64| 1e-6 * (particles * steps) as f64 / seconds;
     let bodies = || world.bodies.iter().map(|b| &b.body);
     let evaluations: usize = bodies().map(|b| pairs(b) * sums(b)).sum();
@@ -164,16 +170,13 @@ fn timed(
         );
     }
     share("time_step", searching);
-    let per_processor_second = million(per_block * BLOCKS, processor);
     Ok(Run {
         threads,
         rate: million(per_block, fastest),
         mean_rate: million(per_block * BLOCKS, all),
-        rate_per_processor_second: if per_processor_second.is_finite() {
-            per_processor_second
-        } else {
-            0.0
-        },
+        rate_per_processor_second: processor
+            .filter(|seconds| *seconds > 0.0)
+            .map(|seconds| million(per_block * BLOCKS, seconds)),
         pair_rate: 1e-6 * (evaluations * per_block) as f64 / fastest,
         operation_rate: 1e-9 * operations * per_block as f64 / fastest,
         seconds: all,
@@ -209,22 +212,27 @@ fn operations(body: &Body) -> f64 {
     }
 }
 
-fn same_bits(a: &World, b: &World) -> bool {
-    let bits = |world: &World| -> Vec<u64> {
-        let of_body = |body: &Body| match body {
-            Body::Fluid(f) => [f.position.concat(), f.velocity.concat()].concat(),
-            Body::Solid(s) => [s.state.position.concat(), s.state.velocity.concat()].concat(),
-        };
-        let all = world.bodies.iter().flat_map(|b| of_body(&b.body));
-        all.map(f64::to_bits).collect()
-    };
-    bits(a) == bits(b)
+/// Whether all that the next step depends on, and all that is counted, is the same bit for bit.
+fn same_bits(a: &World, b: &World) -> Result<bool, BenchError> {
+    let (one, other) = (state_of(a)?, state_of(b)?);
+    let counted = |world: &World| accounts(world).to_string();
+    let mut pairs = one.arrays().iter().zip(other.arrays());
+    Ok(one.arrays().len() == other.arrays().len()
+        && pairs.all(|(a, b)| a.0 == b.0 && bits(&a.1) == bits(&b.1))
+        && counted(a) == counted(b))
 }
 
-/// Seconds to write one checkpoint into a folder that goes away again.
-fn write_checkpoint(world: &World) -> Result<f64, BenchError> {
-    let folder = tempfile::tempdir().map_err(|e| BenchError::Folder(e.to_string()))?;
-    let begun = Instant::now();
+fn bits(array: &Array) -> Vec<u64> {
+    match array {
+        Array::F64(values) => values.iter().map(|x| x.to_bits()).collect(),
+        Array::U64(values) => values.clone(),
+        Array::U32(values) => values.iter().map(|x| u64::from(*x)).collect(),
+        Array::U8(values) => values.iter().map(|x| u64::from(*x)).collect(),
+    }
+}
+
+/// All that the next step depends on.
+fn state_of(world: &World) -> Result<Checkpoint, BenchError> {
     let mut checkpoint = Checkpoint::new(CheckpointMeta {
         code_version: env!("CARGO_PKG_VERSION").to_owned(),
         case_hash: String::new(),
@@ -233,7 +241,60 @@ fn write_checkpoint(world: &World) -> Result<f64, BenchError> {
         extra: Value::Null,
     });
     store_state(world, &mut checkpoint)?;
-    let written = CheckpointStore::new(folder.path()).write(&checkpoint);
+    Ok(checkpoint)
+}
+
+/// Seconds to write one checkpoint into a folder that goes away again.
+fn write_checkpoint(world: &World) -> Result<f64, BenchError> {
+    let folder = tempfile::tempdir().map_err(|e| BenchError::Folder(e.to_string()))?;
+    let begun = Instant::now();
+    let written = CheckpointStore::new(folder.path()).write(&state_of(world)?);
     written.map_err(|e| BenchError::Folder(e.to_string()))?;
     Ok(begun.elapsed().as_secs_f64())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ALL;
+    use super::*;
+
+    /// One step of a small world, in which everything moves.
+    fn world(name: &str, size: usize) -> World {
+        let workload = ALL.iter().find(|w| w.name == name).unwrap();
+        let mut world = (workload.build)(size).unwrap();
+        advance(&mut world, 1).unwrap();
+        world
+    }
+
+    #[test]
+    fn a_last_bit_anywhere_in_the_state_of_a_solid_is_seen() {
+        let a = world("solid-plane", 100);
+        assert!(same_bits(&a, &a.clone()).unwrap());
+        let changed = |change: fn(&mut erode_sph::solid::Solid)| {
+            let mut b = a.clone();
+            let Body::Solid(s) = &mut b.bodies[0].body else {
+                panic!("the body is a solid")
+            };
+            change(s);
+            same_bits(&a, &b).unwrap()
+        };
+        assert!(!changed(
+            |s| s.state.stress[7].zz = s.state.stress[7].zz.next_up()
+        ));
+        assert!(!changed(|s| s.state.plastic_strain[7] = 1e-300));
+        assert!(!changed(
+            |s| s.state.position[7][0] = s.state.position[7][0].next_up()
+        ));
+    }
+
+    #[test]
+    fn a_last_bit_of_the_density_of_a_liquid_is_seen() {
+        let a = world("liquid-plane", 100);
+        let mut b = a.clone();
+        let Body::Fluid(f) = &mut b.bodies[0].body else {
+            panic!("the body is a liquid")
+        };
+        f.volume[7] = f.volume[7].next_up();
+        assert!(!same_bits(&a, &b).unwrap());
+    }
 }

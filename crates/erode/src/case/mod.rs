@@ -16,7 +16,7 @@ mod cloud_flow;
 pub(crate) mod error;
 pub mod estimate;
 mod json_schema;
-mod keys;
+pub(crate) mod keys;
 mod keys_body;
 mod keys_bubbles;
 mod keys_cloud;

@@ -66,6 +66,12 @@ impl Summary {
         self.versions.insert(name.into(), version.into());
     }
 
+    /// The version of a program or format that wrote it.
+    #[must_use]
+    pub fn version(&self, name: &str) -> Option<&str> {
+        self.versions.get(name)?.as_str()
+    }
+
     /// Sets the fingerprint of an input.
     pub fn set_input_hash(&mut self, name: &str, hash: &str) {
         self.input_hashes.insert(name.into(), hash.into());

@@ -7,8 +7,8 @@ use erode_sph::Geometry;
 use erode_sph::fluid::far_field::FarField;
 use erode_sph::fluid::ghosts::Plane;
 use erode_sph::fluid::{Fluid, Formulation, Start, corrected, joshi};
-use erode_sph::neighbours::cell_order;
-use erode_sph::packing::{Options, Packing, SMOOTHING, pack};
+use erode_sph::neighbours::compact_order;
+use erode_sph::packing::{Options, Packing, pack};
 use erode_sph::shapes::{Region, Shape};
 use erode_sph::solid::{self, Block, Face, Layer, Numerics, Setup, Solid};
 use erode_sph::world::{Body, Named, World};
@@ -60,8 +60,7 @@ fn filled(geometry: Geometry, body: &case::Body) -> Result<Packing, RunError> {
             body: body.name.clone(),
             source,
         })?;
-    let h: Vec<f64> = packing.spacing.iter().map(|s| SMOOTHING * s).collect();
-    let order = cell_order(&packing.position, &h);
+    let order = compact_order(&packing.position);
     let pick = |values: &[f64]| {
         order
             .iter()

@@ -29,5 +29,5 @@ pub use error::RunError;
 pub use ledger::Ledger;
 pub use monitor::{BubbleState, Metal, bubble};
 pub use observer::{Observer, Progress, Quiet};
-pub(crate) use state::store as store_state;
+pub(crate) use state::{accounts, store as store_state};
 pub use strain_profile::{Column, columns, off_axis_maximum};

@@ -1,7 +1,7 @@
 //! What is watched while a run goes on: the bubble, the jet, the wall, the metal, the energy.
 
 use super::ledger::Ledger;
-use crate::analysis::half_width;
+use crate::analysis::{YIELDED, absorbed_energy, half_width, plastic_volume};
 use crate::case::{Bubble, Simulation};
 use crate::output::Column;
 use erode_sph::cavity::{Cavity, Colour, Window};
@@ -24,9 +24,6 @@ const JET_GAP: f64 = 0.2;
 
 /// The bubble counts as collapsed when less than this share of its initial volume is left.
 pub(crate) const COLLAPSED: f64 = 0.02;
-
-/// Plastic strain above which a particle counts as yielded.
-pub(crate) const YIELDED: f64 = 1e-6;
 
 /// Extremes and events since the start: part of a checkpoint.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -392,7 +389,7 @@ pub(crate) fn largest(values: &[f64]) -> f64 {
 pub struct Metal {
     /// Largest plastic strain.
     pub max_plastic_strain: f64,
-    /// Its distance from the axis and depth below the undeformed surface, m.
+    /// Its distance from the axis and depth below the undeformed surface, m; not a number where nothing yielded.
     pub place: Vec2,
     /// Plastic work, J.
     pub plastic_work: f64,
@@ -411,19 +408,17 @@ impl Metal {
             .max_by(|&a, &b| strain[a].total_cmp(&strain[b]))
             .unwrap_or(0);
         let at = s.reference.position[worst];
-        let yielded = |a: &usize| strain[*a] > YIELDED;
+        let place = [at[0], s.block.upper[1] - at[1]];
+        let volume = &s.reference.volume;
         Self {
             max_plastic_strain: strain[worst],
-            place: [at[0], s.block.upper[1] - at[1]],
-            plastic_work: (0..s.len())
-                .map(|a| s.state.plastic_work[a] * s.reference.volume[a])
-                .sum(),
-            plastic_volume: (0..s.len())
-                .filter(yielded)
-                .map(|a| s.reference.volume[a])
-                // A sum of nothing is -0 in Rust.
-                .sum::<f64>()
-                + 0.0,
+            place: if strain[worst] > YIELDED {
+                place
+            } else {
+                [f64::NAN; 2]
+            },
+            plastic_work: absorbed_energy(&s.state.plastic_work, volume),
+            plastic_volume: plastic_volume(strain, volume, YIELDED),
             depth: pit_depth(s),
         }
     }
@@ -464,3 +459,7 @@ fn ground(s: &Solid, column: f64, width: f64) -> f64 {
         .map(|a| s.state.position[a][1] + 0.5 * s.reference.area[a].sqrt())
         .fold(s.block.lower[1], f64::max)
 }
+
+#[cfg(test)]
+#[path = "monitor_tests.rs"]
+mod tests;

@@ -86,11 +86,18 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Number of missed tolerances; a validation that failed counts as one.
+    /// Number of missed tolerances; a validation that failed counts as one, what could not be judged is not counted.
     #[must_use]
     pub fn missed(&self) -> usize {
-        let missed = self.finding.checks.iter().filter(|c| !c.passed).count();
-        missed + usize::from(self.failure.is_some())
+        let missed = |c: &&Check| c.is_judged() && !c.passed;
+        self.finding.checks.iter().filter(missed).count() + usize::from(self.failure.is_some())
+    }
+
+    /// Number of checks that could not be judged for want of data.
+    #[must_use]
+    pub fn without_data(&self) -> usize {
+        let all = self.finding.checks.iter();
+        all.filter(|c| c.kind == Kind::NoData).count()
     }
 }
 

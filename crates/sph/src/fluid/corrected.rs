@@ -4,7 +4,6 @@
 
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum, shifting};
-use crate::geometry::Vec2;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -52,14 +51,14 @@ pub struct Account {
     pub limited_exchanges: u64,
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Volume of one step; exchange of volume by shifting. Returns the shifting velocities, m/s.
     pub(crate) fn exchange_volume(
         &mut self,
         s: &Settings,
-        sweep: &mut Sweep,
+        sweep: &mut Sweep<D>,
         dt: f64,
-    ) -> Vec<Vec2> {
+    ) -> Vec<[f64; D]> {
         let kinematics = &sweep.kinematics;
         let work = |a: usize| self.pressure[a] * kinematics[a].exchange;
         self.account.dissipation += dt * ordered_sum(self.len(), work);
@@ -76,7 +75,7 @@ impl Fluid {
                 u64::from(parts)
             });
         self.account.parted += parted.sum::<u64>();
-        let shift: Vec<Vec2> = (self.smoothing_length.par_iter().zip(kinematics))
+        let shift: Vec<[f64; D]> = (self.smoothing_length.par_iter().zip(kinematics))
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(h, k)| shifting::velocity(*h, k, s))
             .collect();

@@ -296,6 +296,16 @@ impl Gas {
     }
 }
 
+impl Fluid {
+    /// Finds the pockets of gas where the liquid is now, with their pressure on the particles.
+    pub(crate) fn follow_gas(&mut self, ghosts: &Ghosts) {
+        if let Some(mut gas) = self.gas.take() {
+            self.gas_pressure = gas.follow(self, ghosts);
+            self.gas = Some(gas);
+        }
+    }
+}
+
 /// Cells of a map within the support of a particle.
 struct Reach {
     x: Vec2,

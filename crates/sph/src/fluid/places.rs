@@ -6,8 +6,8 @@
 
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
-use crate::geometry::Vec2;
-use crate::neighbours::boxes::{NO_POINTS, Points};
+use crate::geometry::length;
+use crate::neighbours::boxes::Points;
 use crate::neighbours::clusters::ClusterLists;
 use crate::neighbours::order::compact_order;
 use crate::neighbours::pair_sum::{PairSum, Record, record};
@@ -54,7 +54,7 @@ impl Clustering {
     }
 
     /// New clusters where the old ones no longer lie together.
-    fn renew(&mut self, position: &[Vec2]) {
+    fn renew<const D: usize>(&mut self, position: &[[f64; D]]) {
         if self.stale || self.order.len() != position.len() {
             self.order = compact_order(position);
             self.fresh = 0;
@@ -70,7 +70,7 @@ impl Clustering {
     }
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// New clusters if those of the last step no longer lie together.
     pub(crate) fn renew_clusters(&mut self) {
         self.clustering.renew(&self.position);
@@ -79,7 +79,7 @@ impl Fluid {
 
 record! {
     /// What the search reads.
-    struct Point { x, y, reach }
+    struct Point { position: [T; D], reach: T }
 }
 
 /// Records of all places, and what comes out for the particles, by place.
@@ -100,40 +100,52 @@ impl<P, R> Default for Sums<P, R> {
 }
 
 /// Places and lists of one step. Kept for the next step for the sake of its memory.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Places {
+#[derive(Debug, Clone)]
+pub(crate) struct Places<const D: usize> {
     order: Vec<u32>,
     /// Place of each particle.
     of_particle: Vec<u32>,
     /// Place of each ghost.
     of_ghost: Vec<u32>,
-    lists: ClusterLists,
+    lists: ClusterLists<D>,
     total: usize,
-    points: Vec<Point>,
-    groups: Vec<Points>,
+    points: Vec<Point<D>>,
+    groups: Vec<Points<D>>,
 }
 
-impl Places {
+impl<const D: usize> Default for Places<D> {
+    fn default() -> Self {
+        Self {
+            order: Vec::new(),
+            of_particle: Vec::new(),
+            of_ghost: Vec::new(),
+            lists: ClusterLists::default(),
+            total: 0,
+            points: Vec::new(),
+            groups: Vec::new(),
+        }
+    }
+}
+
+impl<const D: usize> Places<D> {
     /// Places and neighbours for the rest of a step of `dt`: pairs that come into the support of the kernel until its end are in
     /// the lists too.
-    pub(crate) fn find(&mut self, fluid: &mut Fluid, ghosts: &Ghosts, dt: f64) {
+    pub(crate) fn find(&mut self, fluid: &mut Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
         self.number(&fluid.clustering.order, &ghosts.surface);
         let mut points = std::mem::take(&mut self.points);
         self.fill(
             &mut points,
             ghosts,
             |a| {
-                let ([x, y], [u, v]) = (fluid.position[a], fluid.velocity[a]);
-                let way = 0.5 * dt * (u * u + v * v).sqrt();
+                let way = 0.5 * dt * length(fluid.velocity[a]);
                 Point {
-                    x,
-                    y,
+                    position: fluid.position[a],
                     reach: (1.0 + ROOM) * fluid.smoothing_length[a] + way,
                 }
             },
-            |plane, p| {
-                let [x, y] = plane.mirror([p.x, p.y]);
-                Point { x, y, ..p }
+            |plane, p| Point {
+                position: plane.mirror(p.position),
+                ..p
             },
         );
         (points.as_chunks::<LANES>().0.par_iter())
@@ -149,11 +161,13 @@ impl Places {
     }
 
     fn number(&mut self, order: &[u32], surface: &[bool]) {
-        self.order.clear();
-        self.order.extend_from_slice(order);
-        self.of_particle.resize(order.len(), 0);
-        for (place, &a) in order.iter().enumerate() {
-            self.of_particle[a as usize] = place as u32;
+        if self.order != order {
+            self.order.clear();
+            self.order.extend_from_slice(order);
+            self.of_particle.resize(order.len(), 0);
+            for (place, &a) in order.iter().enumerate() {
+                self.of_particle[a as usize] = place as u32;
+            }
         }
         let ordinary = surface.iter().filter(|s| !**s).count();
         let mut next = [order.len().next_multiple_of(LANES), 0];
@@ -171,9 +185,9 @@ impl Places {
     fn fill<R: Record>(
         &self,
         records: &mut Vec<R>,
-        ghosts: &Ghosts,
+        ghosts: &Ghosts<D>,
         of: impl Fn(usize) -> R + Sync,
-        image: impl Fn(&Plane, R) -> R,
+        image: impl Fn(&Plane<D>, R) -> R,
     ) {
         let n = self.order.len();
         records.resize(self.total, R::default());
@@ -182,12 +196,8 @@ impl Places {
             .for_each(|(record, a)| *record = of(*a as usize));
         records[n..].fill(R::default());
         for (k, place) in self.of_ghost.iter().enumerate() {
-            let source = ghosts.source[k] as usize;
-            let source = match source.checked_sub(n) {
-                None => self.of_particle[source],
-                Some(ghost) => self.of_ghost[ghost],
-            };
-            records[*place as usize] = image(&ghosts.plane[k], records[source as usize]);
+            records[*place as usize] =
+                image(&ghosts.plane[k], records[self.source_place(ghosts, k)]);
         }
     }
 
@@ -196,13 +206,48 @@ impl Places {
     pub(crate) fn sum<L: PairSum>(
         &self,
         law: &L,
-        ghosts: &Ghosts,
+        ghosts: &Ghosts<D>,
         of: impl Fn(usize) -> L::Particle + Sync,
-        image: impl Fn(&Plane, L::Particle) -> L::Particle,
+        image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
         sums: &mut Sums<L::Particle, L::Result>,
     ) {
         self.fill(&mut sums.records, ghosts, of, image);
         self.lists.sum(law, &sums.records, &mut sums.results);
+    }
+
+    /// The sums once more after `change` has changed the records of some particles (and says of which): only where these are
+    /// neighbours.
+    pub(crate) fn sum_again<L: PairSum>(
+        &self,
+        law: &L,
+        ghosts: &Ghosts<D>,
+        change: impl Fn(usize, &mut L::Particle) -> bool,
+        image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
+        sums: &mut Sums<L::Particle, L::Result>,
+    ) {
+        let mut marked = vec![false; self.total];
+        for (place, &a) in self.order.iter().enumerate() {
+            marked[place] = change(a as usize, &mut sums.records[place]);
+        }
+        for (k, &place) in self.of_ghost.iter().enumerate() {
+            let source = self.source_place(ghosts, k);
+            if marked[source] {
+                marked[place as usize] = true;
+                sums.records[place as usize] = image(&ghosts.plane[k], sums.records[source]);
+            }
+        }
+        self.lists
+            .sum_near(law, &sums.records, &mut sums.results, &marked);
+    }
+
+    /// Place of what ghost `k` is an image of.
+    fn source_place(&self, ghosts: &Ghosts<D>, k: usize) -> usize {
+        let source = ghosts.source[k] as usize;
+        let place = match source.checked_sub(self.order.len()) {
+            None => self.of_particle[source],
+            Some(ghost) => self.of_ghost[ghost],
+        };
+        place as usize
     }
 
     /// Place of particle `a`.
@@ -212,10 +257,10 @@ impl Places {
     }
 }
 
-fn group(eight: &[Point; LANES]) -> Points {
-    let mut points = NO_POINTS;
-    for (i, p) in eight.iter().enumerate().filter(|(_, p)| p.reach > 0.0) {
-        [points[0][i], points[1][i], points[2][i]] = [p.x, p.y, p.reach];
+fn group<const D: usize>(eight: &[Point<D>; LANES]) -> Points<D> {
+    let mut points = Points::NONE;
+    for (i, p) in eight.iter().enumerate() {
+        points.set(i, p.position, p.reach);
     }
     points
 }

@@ -12,8 +12,8 @@ use crate::fluid::ghosts::{Ghosts, Wall};
 use crate::fluid::kinematics::{self, Kinematics};
 use crate::fluid::momentum::{self, Forces};
 use crate::fluid::places::Places;
-use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting};
-use crate::geometry::Vec2;
+use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting, spacing};
+use crate::geometry::dot;
 use crate::neighbours::Neighbours;
 use crate::phases::{Phase, Phases};
 use rayon::prelude::*;
@@ -22,29 +22,51 @@ use rayon::prelude::*;
 const SKIN: f64 = 0.1;
 
 /// What the first half of a step hands to the second. Kept for the next step for the sake of its memory.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Sweep {
-    pub(crate) ghosts: Ghosts,
-    pub(crate) places: Places,
+#[derive(Debug, Clone)]
+pub(crate) struct Sweep<const D: usize = 2> {
+    pub(crate) ghosts: Ghosts<D>,
+    pub(crate) places: Places<D>,
     /// Neighbours of single particles, for the published formulation alone.
     pub(crate) list: Neighbours,
-    pub(crate) kinematics: Vec<Kinematics>,
-    pub(crate) memory: Memory,
+    pub(crate) kinematics: Vec<Kinematics<D>>,
+    pub(crate) memory: Memory<D>,
+}
+
+impl<const D: usize> Default for Sweep<D> {
+    fn default() -> Self {
+        Self {
+            ghosts: Ghosts::default(),
+            places: Places::default(),
+            list: Neighbours::default(),
+            kinematics: Vec::new(),
+            memory: Memory::default(),
+        }
+    }
 }
 
 /// Memory of the sums over neighbours.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Memory {
-    kinematics: kinematics::Memory,
-    pub(crate) shifting: shifting::Memory,
-    pub(crate) momentum: momentum::Memory,
+#[derive(Debug, Clone)]
+pub(crate) struct Memory<const D: usize> {
+    kinematics: kinematics::Memory<D>,
+    pub(crate) shifting: shifting::Memory<D>,
+    pub(crate) momentum: momentum::Memory<D>,
 }
 
-impl Sweep {
+impl<const D: usize> Default for Memory<D> {
+    fn default() -> Self {
+        Self {
+            kinematics: kinematics::Memory::default(),
+            shifting: shifting::Memory::default(),
+            momentum: momentum::Memory::default(),
+        }
+    }
+}
+
+impl<const D: usize> Sweep<D> {
     /// Ghosts, neighbours for a step of `dt`, velocity gradients.
     pub(crate) fn find(
-        fluid: &mut Fluid,
-        walls: &[&dyn Wall],
+        fluid: &mut Fluid<D>,
+        walls: &[&dyn Wall<D>],
         dt: f64,
         clock: &mut Phases,
     ) -> Self {
@@ -70,14 +92,14 @@ impl Sweep {
     }
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Steps 1 to 3: positions from t to t + dt; the velocity stays at the middle of the step.
     pub(crate) fn advance_positions(
         &mut self,
-        walls: &[&dyn Wall],
+        walls: &[&dyn Wall<D>],
         dt: f64,
         clock: &mut Phases,
-    ) -> Sweep {
+    ) -> Sweep<D> {
         self.kick(0.5 * dt);
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
@@ -92,9 +114,13 @@ impl Fluid {
             }
         };
         clock.lap(Phase::Sweeps);
-        for (x, u) in self.position.iter_mut().zip(&extra) {
-            *x = [x[0] + dt * u[0], x[1] + dt * u[1]];
-        }
+        (self.position.par_iter_mut().zip(&extra))
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|(x, u)| {
+                for (x, u) in x.iter_mut().zip(u) {
+                    *x += dt * u;
+                }
+            });
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
         sweep
@@ -104,15 +130,15 @@ impl Fluid {
     /// of solids, N per particle (whole ring).
     pub(crate) fn push(
         &mut self,
-        mut sweep: Sweep,
-        walls: &[&dyn Wall],
+        mut sweep: Sweep<D>,
+        walls: &[&dyn Wall<D>],
         dt: f64,
         time: f64,
         clock: &mut Phases,
-    ) -> Vec<Vec2> {
-        let predicted: Vec<Vec2> = (self.velocity.par_iter().zip(&self.acceleration))
+    ) -> Vec<[f64; D]> {
+        let predicted: Vec<[f64; D]> = (self.velocity.par_iter().zip(&self.acceleration))
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(v, a)| [0, 1].map(|i| v[i] + 0.5 * dt * a[i]))
+            .map(|(v, a)| std::array::from_fn(|i| v[i] + 0.5 * dt * a[i]))
             .collect();
         let ghosts = sweep.ghosts.refresh(self, walls);
         clock.lap(Phase::Boundaries);
@@ -125,7 +151,11 @@ impl Fluid {
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(far, v)| far.pressure_outside(&self.eos, *v, time))
             .collect();
-        self.add_gas(&ghosts, &mut outside);
+        for (a, pressure) in self.gas_pressure.iter().enumerate() {
+            if !self.far_field[a].is_some() {
+                outside[a] = *pressure;
+            }
+        }
         let forces = match self.formulation {
             Formulation::Corrected(_) => {
                 momentum::sweep(self, &ghosts, &predicted, &outside, &mut sweep)
@@ -137,30 +167,19 @@ impl Fluid {
         };
         self.book(&forces, &predicted, &outside, &sweep, dt);
         self.sweep = sweep;
-        for (a, f) in self.acceleration.iter_mut().zip(&forces) {
-            *a = f.acceleration;
-        }
+        let reaction = (self.acceleration.par_iter_mut().zip(&forces))
+            .zip(&self.mass)
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|((a, f), m)| {
+                *a = f.acceleration;
+                f.wall.map(|w| -m * w)
+            })
+            .collect();
         clock.lap(Phase::Sweeps);
-        (forces.iter().zip(&self.mass))
-            .map(|(f, m)| f.wall.map(|w| -m * w))
-            .collect()
+        reaction
     }
 
-    /// Follows the gas; its pressure on the particles beside a cavity.
-    fn add_gas(&mut self, ghosts: &Ghosts, outside: &mut [f64]) {
-        let Some(mut gas) = self.gas.take() else {
-            return;
-        };
-        let pressure = gas.follow(self, ghosts);
-        for (a, outside) in outside.iter_mut().enumerate() {
-            if !self.far_field[a].is_some() {
-                *outside = pressure[a];
-            }
-        }
-        self.gas = Some(gas);
-    }
-
-    fn keep_kinematics(&mut self, kinematics: &[Kinematics]) {
+    fn keep_kinematics(&mut self, kinematics: &[Kinematics<D>]) {
         (self.support.par_iter_mut().zip(&mut self.strain_rate))
             .zip(kinematics)
             .with_min_len(PARTICLES_PER_TASK)
@@ -173,26 +192,23 @@ impl Fluid {
     /// Dissipation and work of the far field during one step.
     fn book(
         &mut self,
-        forces: &[Forces],
-        velocity: &[Vec2],
+        forces: &[Forces<D>],
+        velocity: &[[f64; D]],
         outside: &[f64],
-        sweep: &Sweep,
+        sweep: &Sweep<D>,
         dt: f64,
     ) {
-        let dissipated = |a: usize| {
-            let (f, v) = (&forces[a].dissipation, velocity[a]);
-            self.mass[a] * (f[0] * v[0] + f[1] * v[1])
-        };
+        let dissipated = |a: usize| self.mass[a] * dot(forces[a].dissipation, velocity[a]);
         let leaving = |a: usize| {
             let (far, v) = (&self.far_field[a], velocity[a]);
             if !far.is_some() {
                 return 0.0;
             }
-            let half = 0.5 * self.area(a).sqrt();
-            let grad = sweep.kinematics[a].gradient;
-            let stretch =
-                |i: usize| half * (grad[i][0] * far.normal[0] + grad[i][1] * far.normal[1]);
-            let speed = far.normal[0] * (v[0] + stretch(0)) + far.normal[1] * (v[1] + stretch(1));
+            let half = 0.5 * spacing::<D>(self.area(a));
+            let stretch = sweep.kinematics[a]
+                .gradient
+                .map(|row| half * dot(row, far.normal));
+            let speed = dot(far.normal, std::array::from_fn(|i| v[i] + stretch[i]));
             outside[a] * speed * far.face_area
         };
         let dissipation = ordered_sum(self.len(), dissipated);

@@ -2,16 +2,19 @@
 
 use super::super::Options;
 use super::super::session::{Judged, Need, Session};
-use super::chapter6::FOLLOWED;
+use super::chapter6::shock_front;
 use super::near_wall::{Collapse, at, note};
-use crate::analysis::{WallPressure, front, largest_in_column};
-use crate::run::off_axis_maximum;
+use crate::analysis::{WallPressure, largest_in_column};
+use crate::run::{Metal, off_axis_maximum};
 use crate::validate::steel_lattice::Lattice;
 use crate::validate::{Check, Failure, Figure, Finding, Style};
 use erode_sph::Geometry;
 use erode_sph::solid::{Face, Formulation, Side, Solid};
 
-const STANDOFFS: [f64; 2] = [1.33, 1.5];
+/// What the thesis has, and one more.
+const STANDOFFS: [f64; 2] = [STATED, 1.5];
+/// The stand-off of figure 6.11.
+const STATED: f64 = 1.33;
 /// Block of steel, m: twice as wide and deep as the load reaches.
 const SIZE: [f64; 2] = [0.6e-3, 0.6e-3];
 /// Spacing, m: quick, full.
@@ -38,7 +41,7 @@ struct Load {
 
 impl Load {
     fn of(wall: WallPressure) -> Result<Self, Failure> {
-        let first = front(&wall, FOLLOWED, 3).first().map(|f| f.time - BEFORE);
+        let first = shock_front(&wall).first().map(|f| f.time - BEFORE);
         let begin = first.ok_or_else(|| Failure::Absent("no shock reached the wall".into()))?;
         let end = wall.time.last().copied().unwrap_or(begin);
         Ok(Self { wall, begin, end })
@@ -88,16 +91,14 @@ impl Load {
     }
 }
 
-/// Largest strain, its distance from the axis, and that of the largest one apart from the axis.
+/// Largest strain, its distance from the axis, and that of the largest one apart from the axis; places are no numbers where
+/// there are none.
 fn places(solid: &Solid) -> [f64; 3] {
-    let strain = &solid.state.plastic_strain;
-    let worst = (0..solid.len())
-        .max_by(|a, b| strain[*a].total_cmp(&strain[*b]))
-        .unwrap_or(0);
+    let metal = Metal::of(solid);
     let ring = off_axis_maximum(&crate::run::columns(solid));
     [
-        strain[worst],
-        solid.reference.position[worst][0],
+        metal.max_plastic_strain,
+        metal.place[0],
         ring.map_or(f64::NAN, |c| c.r),
     ]
 }
@@ -152,21 +153,34 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
 fn checks(standoff: f64, slow: &Solid, fast: &Solid, spacing: f64) -> Vec<Check> {
     let ([e_slow, r_slow, _], [e_fast, r_fast, ring]) = (places(slow), places(fast));
     let named = |what: &str| format!("{standoff}: {what}");
+    let slowly = named("distance of the largest strain from the axis, slowly");
+    let fast_too = named("the same, at its own speed");
+    let apart = 2.0 * spacing;
+    let [slowly, fast_too] = if standoff == STATED {
+        [
+            Check::absolute(
+                slowly,
+                "m",
+                (r_slow, 0.0),
+                apart,
+                "\"the static response does not have an offset\" of \"the maximum plastic strain which occurs at the symmetry axis\": within two spacings",
+            ),
+            Check::more_than(
+                fast_too,
+                "m",
+                r_fast,
+                apart,
+                "\"the reason for the offset of maximum plastic strain as shown in figure 6.7d is the dynamic loading\": more than two spacings",
+            ),
+        ]
+    } else {
+        let words = "not judged: the source has stand-off 1.33 only";
+        [(slowly, r_slow), (fast_too, r_fast)]
+            .map(|(quantity, r)| Check::shown(quantity, "m", r, None, words))
+    };
     vec![
-        Check::absolute(
-            named("distance of the largest strain from the axis, slowly"),
-            "m",
-            (r_slow, 0.0),
-            2.0 * spacing,
-            "\"the static response does not have an offset; the maximum occurs at the symmetry axis\": within two spacings",
-        ),
-        Check::at_least(
-            named("the same, at its own speed"),
-            "m",
-            r_fast,
-            2.0 * spacing,
-            "\"the reason for the offset of maximum plastic strain is the dynamic loading\": more than two spacings",
-        ),
+        slowly,
+        fast_too,
         Check::shown(
             named("largest strain, slowly"),
             "-",
