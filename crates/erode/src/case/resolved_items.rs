@@ -92,6 +92,13 @@ fn bubble_items(b: &Bubble) -> Items {
     ];
     items.extend(b.wall_distance.map(|d| ("wall_distance", Item::Number(d))));
     items.push(("driving_pressure", Item::Number(b.driving_pressure)));
+    items.extend(b.gas.map(|g| {
+        let gas = vec![
+            ("pressure", Item::Number(g.pressure)),
+            ("polytropic_exponent", Item::Number(g.polytropic_exponent)),
+        ];
+        ("gas", Item::Table(gas))
+    }));
     items
 }
 

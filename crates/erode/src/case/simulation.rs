@@ -83,6 +83,18 @@ pub struct Bubble {
     pub wall_distance: Option<f64>,
     /// Pressure that drives the collapse, Pa.
     pub driving_pressure: f64,
+    /// Gas in it; empty without.
+    #[serde(default)]
+    pub gas: Option<BubbleGas>,
+}
+
+/// Gas in the cavity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BubbleGas {
+    /// Pressure at the start, Pa.
+    pub pressure: f64,
+    /// Exponent k in p V^k = constant.
+    pub polytropic_exponent: f64,
 }
 
 /// A region filled with particles of one material.

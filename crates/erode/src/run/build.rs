@@ -1,6 +1,6 @@
 //! From a checked case to a world of particles.
 
-use super::{RunError, loads};
+use super::{RunError, gas, loads};
 use crate::case::{self, BodyKind, FluidFormulation, Side, Simulation, SolidFormulation};
 use erode_physics::material_point::Material;
 use erode_sph::Geometry;
@@ -39,6 +39,7 @@ pub fn world(simulation: &Simulation) -> Result<World, RunError> {
         })
         .collect::<Result<Vec<_>, RunError>>()?;
     let mut world = World::new(bodies, simulation.run.safety)?;
+    gas::fill(&mut world, simulation)?;
     loads::prepare(&mut world, simulation)?;
     Ok(world)
 }

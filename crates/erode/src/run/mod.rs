@@ -7,6 +7,7 @@ mod course;
 mod drive;
 mod error;
 mod files;
+mod gas;
 mod impact;
 mod layers;
 mod ledger;

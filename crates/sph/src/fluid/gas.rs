@@ -62,6 +62,8 @@ pub struct Gas {
     pub lost: f64,
     /// Pockets that closed.
     pub closed: u64,
+    /// Steps in which a pocket reached beyond the limits, so that its volume was cut.
+    pub cut: u64,
     cells: Cells,
 }
 
@@ -150,6 +152,7 @@ impl Gas {
             pockets,
             lost: 0.0,
             closed: 0,
+            cut: 0,
             cells: Cells::default(),
         };
         gas.keep(fluid, &map, search[0], &pocket_of);
@@ -285,6 +288,9 @@ impl Gas {
         let largest = touched.fold(0.0, |m: f64, a| m.max(fluid.smoothing_length[a]));
         let room = ROOM * kernel::SUPPORT * largest.max(self.law.cell) / self.law.cell;
         let (room, size) = (room.ceil() as usize, self.law.size());
+        if high[0] == size[0] || high[1] == size[1] {
+            self.cut += 1;
+        }
         self.cells = Cells {
             runs,
             search: [
