@@ -13,7 +13,7 @@
 
 use crate::cavity::{Colour, Map, Window};
 use crate::fluid::ghosts::Ghosts;
-use crate::fluid::{Fluid, PARTICLES_PER_TASK};
+use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK};
 use crate::geometry::Vec2;
 use crate::kernel;
 use rayon::prelude::*;
@@ -306,6 +306,9 @@ impl Fluid {
     /// Finds the pockets of gas where the liquid is now, with their pressure on the particles.
     pub(crate) fn follow_gas(&mut self, ghosts: &Ghosts) {
         if let Some(mut gas) = self.gas.take() {
+            if let Formulation::Corrected(_) = self.formulation {
+                self.update_smoothing_length();
+            }
             self.gas_pressure = gas.follow(self, ghosts);
             self.gas = Some(gas);
         }

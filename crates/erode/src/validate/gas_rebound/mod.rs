@@ -4,7 +4,7 @@ mod run;
 
 use super::check::Check;
 use super::{Failure, Figure, Finding, Style, Validation};
-use erode_physics::bubble::{BubbleModel, Gilmore, KellerMiksis};
+use erode_physics::bubble::{Gilmore, KellerMiksis};
 use run::{Extremes, Setting, Swing};
 
 pub(super) const VALIDATION: Validation = Validation {
@@ -49,8 +49,8 @@ const HARD_REBOUND: &str =
     "issue 5; the smallest radius decides how much energy the liquid radiates as a shock";
 const GENTLE_REASON: &str = "measured: 2 % (smallest) and 7 % (largest radius) at 15 per radius; dissipation in the last steps of \
                              the collapse makes the rebound small, it falls with the spacing";
-const SWING_REASON: &str =
-    "measured: under 2 % at 10 per radius; the void of a lattice is not exactly a ball";
+const TIME_REASON: &str = "1 to 2 %: what `rayleigh-collapse` asks of an empty cavity";
+const SWING_REASON: &str = "measured: 0.2 % and 1 %; the dissipation of the liquid takes a sixth of the swing at 20 per radius";
 
 fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     let mut finding = Finding::default();
@@ -129,12 +129,12 @@ fn collapse(
             Some(gilmore.second[1]),
             "shown: the laws differ by 14 % at 50 MPa, where the wall is as fast as sound",
         ),
-        Check::shown(
+        Check::relative(
             of("time of the smallest radius"),
             "s",
-            found.first[0],
-            Some(exact.first[0]),
-            "shown: at 50 MPa the law of Keller and Miksis is late, the empty collapse of `rayleigh-collapse` is not",
+            (found.first[0], exact.first[0]),
+            0.02,
+            TIME_REASON,
         ),
         Check::shown(
             of("largest defect of the energy ledger until the smallest radius, in units of p V0"),
@@ -162,6 +162,7 @@ fn own_frequency() -> Result<Vec<Check>, Failure> {
         Extremes::of_growth(&swing.curve)?,
         Extremes::of_growth(&truth.curve)?,
     );
+    let half = |e: &Extremes| e.second[0] - e.first[0];
     // Minnaert: 2 pi R sqrt(rho/(3 k p)) about the radius of equilibrium.
     let rest = (SWING.gas_pressure / SWING.pressure).powf(1.0 / 4.2);
     let minnaert = std::f64::consts::TAU
@@ -177,17 +178,17 @@ fn own_frequency() -> Result<Vec<Check>, Failure> {
             SWING_REASON,
         ),
         Check::relative(
-            "swing, n = 10: period (smallest radius after it)",
+            "swing, n = 10: time from the largest to the smallest radius",
             "s",
-            (found.second[0], exact.second[0]),
+            (half(&found), half(&exact)),
             0.05,
             SWING_REASON,
         ),
         Check::shown(
-            "swing, n = 10: period, beside that of Minnaert",
+            "swing, n = 10: the same beside half a period of Minnaert",
             "s",
-            found.second[0],
-            Some(minnaert),
+            half(&found),
+            Some(0.5 * minnaert),
             "shown: small swings in a liquid without compressibility",
         ),
     ])
@@ -196,6 +197,7 @@ fn own_frequency() -> Result<Vec<Check>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use erode_physics::bubble::BubbleModel;
 
     #[test]
     fn theory_swings_as_minnaert_says_and_comes_back() {
@@ -207,8 +209,12 @@ mod tests {
         let found = Extremes::of_growth(&small.theory(law).unwrap().curve).unwrap();
         let minnaert =
             std::f64::consts::TAU * run::R0 * (run::DENSITY / (4.2 * SWING.pressure)).sqrt();
-        // Compressibility damps it: 2 % of a small change.
-        assert!((found.second[0] / minnaert - 1.0).abs() < 0.03);
+        // Sound that leaves slows it by a part in a hundred.
+        let half = found.second[0] - found.first[0];
+        assert!(
+            (half / (0.5 * minnaert) - 1.0).abs() < 0.02,
+            "{half} {minnaert}"
+        );
         let gentle = Extremes::of_collapse(&GENTLE.theory(law).unwrap().curve).unwrap();
         assert!((gentle.first[1] - 0.288).abs() < 0.002);
     }

@@ -56,7 +56,7 @@ impl Swing {
     }
 }
 
-/// The first two extremes, time (s) and R/R0 each.
+/// The first two extremes of a swing that loses energy, time (s) and R/R0 each.
 pub(super) struct Extremes {
     pub(super) first: [f64; 2],
     pub(super) second: [f64; 2],
@@ -77,17 +77,11 @@ impl Extremes {
         let at = |curve: &[[f64; 2]], sign: f64| {
             let all = curve.iter().enumerate();
             let least = all.min_by(|a, b| (sign * a.1[1]).total_cmp(&(sign * b.1[1])));
-            least.map(|(k, p)| (k, *p))
+            let none = || Failure::Absent("the radius has no extremes".into());
+            least.map(|(k, p)| (k, *p)).ok_or_else(none)
         };
-        let none = || Failure::Absent("the radius has no extremes".into());
-        // A law of theory swings on: the first extreme is that of the first swing.
-        let turn =
-            |p: &[[f64; 2]]| sign * (p[1][1] - p[0][1]) > 0.0 && sign * (1.0 - p[0][1]) > 0.02;
-        let back = curve.windows(2).position(turn).ok_or_else(none)?;
-        let window = curve.len().min(back + 1 + back / 4);
-        let (first, smallest) = at(&curve[..window], sign).ok_or_else(none)?;
-        let rest = &curve[first..];
-        let (_, largest) = at(rest, -sign).ok_or_else(none)?;
+        let (first, smallest) = at(curve, sign)?;
+        let (_, largest) = at(&curve[first..], -sign)?;
         Ok(Self {
             first: smallest,
             second: largest,
@@ -100,7 +94,8 @@ impl Setting {
         self.end * 0.915 * R0 * (DENSITY / self.pressure).sqrt()
     }
 
-    /// The radius by a law, from rest.
+    /// The radius by a law. A compressible liquid moves at once when its surface is let go, with the speed dp/(rho c) of a plane
+    /// wave; the laws follow from then on. (From rest they are late by R0/c.)
     pub(super) fn theory(&self, law: &dyn BubbleModel) -> Result<Swing, Failure> {
         let eos = water()?;
         let liquid = Liquid {
@@ -119,7 +114,8 @@ impl Setting {
         let driving = Constant {
             pressure: self.pressure,
         };
-        let mut state = BubbleState::at_rest(R0, 0.0).map_err(wrong)?;
+        let speed = (self.gas_pressure - self.pressure) / (liquid.density * liquid.sound_speed);
+        let mut state = BubbleState::moving(R0, speed, 0.0).map_err(wrong)?;
         let mut curve = Vec::new();
         for k in 1..=POINTS {
             let time = self.end_time() * 1.3 * f64::from(k) / f64::from(POINTS);
