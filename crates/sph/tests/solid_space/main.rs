@@ -1,5 +1,7 @@
 //! Tests of the solid in three dimensions against known answers.
 
+#![allow(clippy::unwrap_used)] // tests may
+
 mod bits;
 mod bodies;
 mod dynamics;
