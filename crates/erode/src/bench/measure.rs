@@ -10,8 +10,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::time::Instant;
 
-/// Steps before the measured ones.
-const WARM_UP: usize = 12;
 /// Blocks of steps; the fastest counts.
 const BLOCKS: usize = 5;
 
@@ -86,7 +84,7 @@ pub(super) fn measure(workload: &Workload, size: usize) -> Result<Measurement, B
     let mut subject = (workload.build)(size)?;
     let particles = subject.particles();
     let single = pool(1)?;
-    single.install(|| advance(subject.as_mut(), WARM_UP))?;
+    single.install(|| advance(subject.as_mut(), workload.warm_up))?;
     let more = resident_memory()
         .zip(before)
         .map(|(now, before)| now - before);

@@ -18,6 +18,7 @@ pub use workloads::{ALL, Workload};
 use crate::case::CaseErrors;
 use crate::run::RunError;
 use erode_sph::solid::SolidError;
+use erode_sph::solid::space::SpaceError;
 use erode_sph::world::WorldError;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -37,6 +38,9 @@ pub enum BenchError {
     /// A solid could not be built.
     #[error("the solid of the workload could not be built: {0}")]
     Solid(#[from] SolidError),
+    /// A solid in three dimensions could not be built or advanced.
+    #[error("the solid in three dimensions: {0}")]
+    Space(#[from] SpaceError),
     /// A step failed.
     #[error("a step of the workload failed: {0}")]
     Step(#[from] WorldError),

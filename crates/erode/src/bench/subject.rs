@@ -6,6 +6,7 @@ use crate::run::{accounts, store_state};
 use erode_sph::fluid::Fluid;
 use erode_sph::neighbours::Neighbours;
 use erode_sph::phases::Phases;
+use erode_sph::solid::space::{Blocks, SpaceSolid};
 use erode_sph::world::{Body, World};
 use serde_json::Value;
 use std::time::Instant;
@@ -13,8 +14,8 @@ use std::time::Instant;
 /// Additions, multiplications, divisions and roots that one pair needs in a step, counted in the formulas of the source:
 /// 74 + 60 + 66 for velocity gradient, exchange of volume and forces in the plane, 100 + 68 + 93 in space.
 const LIQUID_OPERATIONS: [f64; 2] = [200.0, 261.0];
-/// The same of deformation gradient and forces.
-const SOLID_OPERATIONS: f64 = 56.0;
+/// The same of deformation gradient and forces, in the plane; 38 + 89 in space.
+const SOLID_OPERATIONS: [f64; 2] = [56.0, 127.0];
 
 /// Pairs of a body and what is done with them in a step.
 #[derive(Debug, Clone, Copy)]
@@ -108,7 +109,7 @@ impl Subject for World {
             Body::Solid(s) => Work {
                 pairs: s.reference.pairs(),
                 sums: 2,
-                operations: SOLID_OPERATIONS,
+                operations: SOLID_OPERATIONS[0],
             },
         };
         self.bodies.iter().map(|b| of_body(&b.body)).collect()
@@ -250,5 +251,69 @@ mod tests {
         };
         f.volume[7] = f.volume[7].next_up();
         assert!(a.state().unwrap() != b.state().unwrap());
+    }
+}
+
+/// A solid in space with free faces.
+#[derive(Clone)]
+pub(super) struct SolidInSpace {
+    pub(super) solid: SpaceSolid,
+    pub(super) phases: Phases,
+}
+
+impl Subject for SolidInSpace {
+    fn particles(&self) -> usize {
+        self.solid.len()
+    }
+
+    fn step(&mut self) -> Result<f64, BenchError> {
+        let begun = Instant::now();
+        let limit = self.solid.stable_time_step();
+        let searching = begun.elapsed().as_secs_f64();
+        self.solid.timed_step(limit.dt, &mut self.phases)?;
+        Ok(searching)
+    }
+
+    fn phases(&self) -> Phases {
+        self.phases
+    }
+
+    fn work(&self) -> Vec<Work> {
+        vec![Work {
+            pairs: self.solid.pairs(),
+            sums: 2,
+            operations: SOLID_OPERATIONS[1],
+        }]
+    }
+
+    fn state(&self) -> Result<State, BenchError> {
+        fn field<const N: usize>(name: &str, of: &Blocks<N>) -> (String, Vec<u64>) {
+            (
+                name.to_owned(),
+                of.iter().flatten().map(f64::to_bits).collect(),
+            )
+        }
+        let s = &self.solid.state;
+        Ok(State {
+            fields: vec![
+                field("position", &s.position),
+                field("velocity", &s.velocity),
+                field("acceleration", &s.acceleration),
+                field("deformation", &s.deformation),
+                field("flux", &s.flux),
+                field("plastic_strain", &s.plastic_strain),
+                field("plastic_strain_rate", &s.plastic_strain_rate),
+                field("plastic_work", &s.plastic_work),
+            ],
+            accounts: format!("{:?}", s.work),
+        })
+    }
+
+    fn write_checkpoint(&self) -> Result<Option<f64>, BenchError> {
+        Ok(None)
+    }
+
+    fn duplicate(&self) -> Box<dyn Subject> {
+        Box::new(self.clone())
     }
 }

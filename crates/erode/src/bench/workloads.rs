@@ -1,7 +1,7 @@
 //! The standard workloads.
 
 use super::BenchError;
-use super::subject::{Liquid, Subject};
+use super::subject::{Liquid, SolidInSpace, Subject};
 use crate::case::Case;
 use crate::materials::{Library, Material, Terms};
 use crate::run;
@@ -11,7 +11,7 @@ use erode_sph::fluid::ghosts::Plane;
 use erode_sph::fluid::{Fluid, Formulation, Start, corrected};
 use erode_sph::neighbours::compact_order;
 use erode_sph::phases::Phases;
-use erode_sph::solid::{Block, Face, Numerics, Setup, Solid};
+use erode_sph::solid::{Block, Face, Numerics, Setup, Solid, space};
 use erode_sph::world::{Body, Named, World};
 use std::f64::consts::PI;
 
@@ -27,6 +27,8 @@ pub struct Workload {
     pub description: &'static str,
     /// Particles; for the mixture particles per radius of the bubble.
     pub particles: usize,
+    /// Steps before the measured ones.
+    pub warm_up: usize,
     /// Measured steps.
     pub steps: usize,
     /// Whether it is measured unasked.
@@ -41,6 +43,7 @@ const LIQUID: Workload = Workload {
     name: "liquid-plane",
     description: "water in a square box, plane, swirling at up to 20 m/s",
     particles: 100_000,
+    warm_up: 12,
     steps: 30,
     usual: true,
     target: Some(8.0),
@@ -63,6 +66,13 @@ const SOLID: Workload = Workload {
     ..LIQUID
 };
 
+const LIQUID_GRADED: Workload = Workload {
+    name: "liquid-graded",
+    description: "the same in the plane, spacing graded 1:8 as in the main case",
+    build: |n| boxed(graded_liquid(n)),
+    ..LIQUID
+};
+
 const LIQUID_SPACE: Workload = Workload {
     name: "liquid-space",
     description: "water in a cube, three dimensions, swirling at up to 20 m/s",
@@ -72,10 +82,20 @@ const LIQUID_SPACE: Workload = Workload {
     ..LIQUID
 };
 
+const SOLID_SPACE: Workload = Workload {
+    name: "solid-space",
+    description: "the same steel in a cube, three dimensions, drawn out until all of it yields",
+    steps: 30,
+    target: Some(1.4),
+    build: |n| boxed(solid_in_space(n)),
+    ..LIQUID
+};
+
 const MIXTURE: Workload = Workload {
     name: "main-case",
     description: "bubble next to steel, 30 particles per radius: graded liquid and solid with their interface",
     particles: 30,
+    warm_up: 12,
     steps: 30,
     usual: true,
     target: None,
@@ -83,9 +103,10 @@ const MIXTURE: Workload = Workload {
 };
 
 /// All workloads.
-pub const ALL: [Workload; 10] = [
+pub const ALL: [Workload; 12] = [
     LIQUID,
     LIQUID_RINGS,
+    LIQUID_GRADED,
     LIQUID_SPACE,
     SOLID,
     Workload {
@@ -94,6 +115,7 @@ pub const ALL: [Workload; 10] = [
         build: |n| boxed(solid(Geometry::Axisymmetric, n)),
         ..SOLID
     },
+    SOLID_SPACE,
     MIXTURE,
     Workload {
         name: "liquid-plane-1m",
@@ -112,9 +134,25 @@ pub const ALL: [Workload; 10] = [
     Workload {
         name: "liquid-space-1m",
         particles: 1_000_000,
+        warm_up: 4,
         steps: 5,
         usual: false,
         ..LIQUID_SPACE
+    },
+    Workload {
+        name: "liquid-space-4m",
+        particles: 4_000_000,
+        warm_up: 2,
+        steps: 5,
+        usual: false,
+        ..LIQUID_SPACE
+    },
+    Workload {
+        name: "solid-space-1m",
+        particles: 1_000_000,
+        steps: 10,
+        usual: false,
+        ..SOLID_SPACE
     },
     Workload {
         name: "main-case-60",
@@ -158,20 +196,62 @@ fn boxed(
     Ok(Box::new(subject?))
 }
 
+/// Columns of about `n` particles in all, with a spacing that grows from one side of the square to the other by a factor of
+/// eight; their areas.
+fn graded(n: usize) -> (Vec<[f64; 2]>, Vec<f64>) {
+    const RATIO: f64 = 8.0;
+    // n = SIDE times the integral of 1/s^2 with s = s0 (1 + (RATIO - 1) x/SIDE).
+    let finest = SIDE / (n as f64 * RATIO).sqrt();
+    let spacing = |x: f64| finest * (1.0 + (RATIO - 1.0) * x / SIDE);
+    let mut edges = vec![0.0];
+    let mut x = 0.0;
+    while x < SIDE {
+        x += spacing(x + 0.5 * spacing(x));
+        edges.push(x);
+    }
+    // The columns fill the square.
+    let scale = SIDE / x;
+    let (mut position, mut area) = (Vec::new(), Vec::new());
+    for ends in edges.windows(2) {
+        let (width, middle) = (
+            scale * (ends[1] - ends[0]),
+            0.5 * scale * (ends[0] + ends[1]),
+        );
+        let rows = (SIDE / width).round().max(1.0);
+        let height = SIDE / rows;
+        for j in 0..rows as usize {
+            position.push([middle, (j as f64 + 0.5) * height]);
+            area.push(width * height);
+        }
+    }
+    let order = compact_order(&position);
+    let pick = |i: &u32| (position[*i as usize], area[*i as usize]);
+    order.iter().map(pick).unzip()
+}
+
+fn graded_liquid(n: usize) -> Result<World, BenchError> {
+    let (position, area) = graded(n);
+    liquid_of(Geometry::Plane, &position, &area)
+}
+
 /// Two swirls between rigid walls, which shifting, exchange and dissipation act on.
 pub(super) fn liquid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
-    const SPEED: f64 = 20.0;
     let (position, area) = lattice(n);
+    liquid_of(geometry, &position, &vec![area; position.len()])
+}
+
+fn liquid_of(geometry: Geometry, position: &[[f64; 2]], area: &[f64]) -> Result<World, BenchError> {
+    const SPEED: f64 = 20.0;
     let mut fluid = Fluid::new(&Start {
         geometry,
         eos: named("water")?.fluid().map_err(missing)?,
-        position: &position,
-        area: &vec![area; position.len()],
+        position,
+        area,
         pressure: 50e6,
         velocity: [0.0; 2],
         formulation: Formulation::Corrected(corrected::Settings::default()),
     });
-    for (v, x) in fluid.velocity.iter_mut().zip(&position) {
+    for (v, x) in fluid.velocity.iter_mut().zip(position) {
         let [a, b] = x.map(|x| 2.0 * PI * x / SIDE);
         *v = [-SPEED * a.sin() * b.cos(), SPEED * a.cos() * b.sin()];
     }
@@ -228,15 +308,44 @@ fn liquid_in_space(n: usize) -> Result<Liquid, BenchError> {
     })
 }
 
-/// A block that is squeezed along its height at a rate that makes it yield within about ten steps.
-pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
-    const STRAIN_PER_STEP: f64 = -5e-4;
-    let (position, area) = lattice(n);
+fn steel() -> Result<material_point::Material, BenchError> {
     let terms = Terms {
         strain_rate: true,
         thermal_softening: false,
     };
     let (density, elastic, strength) = named("steel_a2205")?.solid(terms).map_err(missing)?;
+    Ok(material_point::Material {
+        elastic,
+        strength,
+        density,
+        temperature: 293.0,
+    })
+}
+
+/// A cube that is drawn out along its height, and in across, at a rate that makes it yield within about ten steps.
+fn solid_in_space(n: usize) -> Result<SolidInSpace, BenchError> {
+    const STRAIN_PER_STEP: f64 = 5e-4;
+    let across = (n as f64).cbrt().round().max(1.0) as usize;
+    let setup = space::Setup::lattice(steel()?, [across; 3], SIDE / across as f64);
+    let mut solid = space::SpaceSolid::new(&setup)?;
+    drop(setup);
+    let rate = STRAIN_PER_STEP / solid.stable_time_step().dt;
+    for a in 0..solid.len() {
+        let [x, y, z] = solid.reference_position(a);
+        let v = [-0.5 * rate * x, -0.5 * rate * y, rate * z];
+        solid.state.velocity.set(a, v);
+    }
+    solid.accelerations(0.0);
+    Ok(SolidInSpace {
+        solid,
+        phases: Phases::default(),
+    })
+}
+
+/// A block that is squeezed along its height at a rate that makes it yield within about ten steps.
+pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
+    const STRAIN_PER_STEP: f64 = -5e-4;
+    let (position, area) = lattice(n);
     let left = if geometry == Geometry::Axisymmetric {
         Face::Axis
     } else {
@@ -252,12 +361,7 @@ pub(super) fn solid(geometry: Geometry, n: usize) -> Result<World, BenchError> {
             bottom: Face::Symmetry,
             top: Face::Traction,
         },
-        material: material_point::Material {
-            elastic,
-            strength,
-            density,
-            temperature: 293.0,
-        },
+        material: steel()?,
         numerics: Numerics::default(),
         area: vec![area; position.len()],
         position,

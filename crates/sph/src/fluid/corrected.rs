@@ -59,13 +59,14 @@ impl<const D: usize> Fluid<D> {
         sweep: &mut Sweep<D>,
         dt: f64,
     ) -> Vec<[f64; D]> {
-        let kinematics = &sweep.kinematics;
-        let work = |a: usize| self.pressure[a] * kinematics[a].exchange;
+        let found = &*sweep;
+        let work = |a: usize| self.pressure[a] * found.kinematics(a).exchange;
         self.account.dissipation += dt * ordered_sum(self.len(), work);
         let (mass, density) = (&self.mass, self.eos.reference_density);
-        let parted = (self.volume.par_iter_mut().zip(kinematics).enumerate())
+        let parted = (self.volume.par_iter_mut().enumerate())
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, (volume, k))| {
+            .map(|(a, volume)| {
+                let k = found.kinematics(a);
                 *volume *= (dt * (k.divergence + k.exchange / *volume)).exp();
                 let largest = swelling(k.support) * mass[a] / density;
                 let parts = *volume > largest;
@@ -75,9 +76,9 @@ impl<const D: usize> Fluid<D> {
                 u64::from(parts)
             });
         self.account.parted += parted.sum::<u64>();
-        let shift: Vec<[f64; D]> = (self.smoothing_length.par_iter().zip(kinematics))
+        let shift: Vec<[f64; D]> = (self.smoothing_length.par_iter().enumerate())
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(h, k)| shifting::velocity(*h, k, s))
+            .map(|(a, h)| shifting::velocity(*h, found.kinematics(a), s))
             .collect();
         shifting::exchange(self, sweep, &shift, dt);
         shift

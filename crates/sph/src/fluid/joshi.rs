@@ -24,7 +24,6 @@ use crate::fluid::Fluid;
 use crate::fluid::axis_function::axis_function;
 use crate::fluid::extended::Extended;
 use crate::fluid::ghosts::Ghosts;
-use crate::fluid::kinematics::Kinematics;
 use crate::fluid::momentum::Forces;
 use crate::fluid::step::Sweep;
 use crate::geometry::{Geometry, dot};
@@ -73,10 +72,10 @@ pub(crate) fn axis_correction(geometry: Geometry, r: f64, h: f64) -> (f64, f64) 
 
 impl<const D: usize> Fluid<D> {
     /// Density of particles with a far field by continuity; the others get theirs in [`Self::sum_density`].
-    pub(crate) fn advance_far_volume(&mut self, kinematics: &[Kinematics<D>], dt: f64) {
-        for (a, k) in kinematics.iter().enumerate() {
+    pub(crate) fn advance_far_volume(&mut self, sweep: &Sweep<D>, dt: f64) {
+        for a in 0..self.len() {
             if self.far_field[a].is_some() {
-                self.volume[a] *= (dt * k.divergence).exp();
+                self.volume[a] *= (dt * sweep.kinematics(a).divergence).exp();
             }
         }
     }

@@ -7,33 +7,15 @@
 //! Riemann problem moves between neighbours of unequal pressure; the linear part of the pressure, known from the
 //! acceleration (grad p = -rho a), is taken out first, which makes the first-order smoothing third order.
 
+use crate::fluid::Fluid;
 use crate::fluid::ghosts::{Ghosts, Plane};
-use crate::fluid::moments::{Matrix, apply_lanes, inverse, smallest_eigenvalue};
+use crate::fluid::moments::{apply_lanes, inverse, smallest_eigenvalue};
 use crate::fluid::pair::{Pair, add_scaled, half_ring, limited, plus, scaled};
 use crate::fluid::places::{self, Places};
-use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::Geometry;
 use crate::kernel;
 use crate::neighbours::pair_sum::{PairSum, Record, record};
 use crate::simd::Simd;
-use rayon::prelude::*;
-
-/// Sums over the neighbours of one particle that need no other sums.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Kinematics<const D: usize = 2> {
-    /// Inverse moment matrix L.
-    pub(crate) correction: Matrix<D>,
-    /// Smallest eigenvalue of the moment matrix.
-    pub(crate) support: f64,
-    /// Velocity gradient, dv_i/dx_j in [i][j], 1/s.
-    pub(crate) gradient: Matrix<D>,
-    /// Relative rate of volume by motion, 1/s.
-    pub(crate) divergence: f64,
-    /// Rate of volume by unequal pressure, m3/s.
-    pub(crate) exchange: f64,
-    /// Sum of A_b grad W with a short-range term, 1/m: points to where particles are lacking.
-    pub(crate) crowding: [f64; D],
-}
 
 /// Strength of the short-range term in the crowding.
 const CLUMPING: f64 = 0.2;
@@ -57,15 +39,19 @@ record! {
 }
 
 record! {
-    /// What comes out.
-    struct Sums {
-        /// Moment matrix on and above the diagonal, then its inverse.
+    /// Sums over the neighbours of one particle that need no other sums.
+    struct Kinematics {
+        /// Inverse moment matrix L; until all is summed the moment matrix itself, on and above the diagonal.
         correction: [[T; D]; D],
+        /// Smallest eigenvalue of the moment matrix.
         support: T,
-        /// Velocity gradient.
+        /// Velocity gradient, dv_i/dx_j in [i][j], 1/s.
         gradient: [[T; D]; D],
+        /// Relative rate of volume by motion, 1/s.
         divergence: T,
+        /// Rate of volume by unequal pressure, m3/s.
         exchange: T,
+        /// Sum of A_b grad W with a short-range term, 1/m: points to where particles are lacking.
         crowding: [T; D],
     }
 }
@@ -78,15 +64,14 @@ struct Law<const D: usize> {
 }
 
 /// Memory of the sums.
-pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Sums<D>>;
+pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Kinematics<D>>;
 
-/// Kinematics of every particle.
+/// Kinematics of every particle, by place in `memory`.
 pub(crate) fn sweep<const D: usize>(
     fluid: &Fluid<D>,
     ghosts: &Ghosts<D>,
     places: &Places<D>,
     memory: &mut Memory<D>,
-    kinematics: &mut Vec<Kinematics<D>>,
 ) {
     // W R^D at one spacing, the same for all R.
     let at_spacing = f64::from(1 << D) * kernel::value_in::<D>(1.0 / super::SMOOTHING, 1.0);
@@ -102,11 +87,6 @@ pub(crate) fn sweep<const D: usize>(
         |plane, p| image(geometry, plane, p),
         memory,
     );
-    (0..fluid.len())
-        .into_par_iter()
-        .with_min_len(PARTICLES_PER_TASK)
-        .map(|a| Kinematics::from(&memory.results[places.place(a)]))
-        .collect_into_vec(kinematics);
 }
 
 fn particle<const D: usize>(fluid: &Fluid<D>, a: usize) -> Particle<D> {
@@ -136,16 +116,16 @@ fn image<const D: usize>(geometry: Geometry, plane: &Plane<D>, p: Particle<D>) -
 
 impl<const D: usize> PairSum for Law<D> {
     type Particle = Particle<D>;
-    type Result = Sums<D>;
-    type Sums<S: Simd> = Sums<D, S>;
+    type Result = Kinematics<D>;
+    type Sums<S: Simd> = Kinematics<D, S>;
 
     #[inline(always)]
-    fn zero<S: Simd>() -> Sums<D, S> {
-        Sums::default().splat()
+    fn zero<S: Simd>() -> Kinematics<D, S> {
+        Kinematics::default().splat()
     }
 
     #[inline(always)]
-    fn add<S: Simd>(&self, sums: &mut Sums<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {
+    fn add<S: Simd>(&self, sums: &mut Kinematics<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {
         let impedance = a.half_impedance + b.half_impedance;
         let (pair, inverse_impedance) = Pair::new(&a.position, &b.position, a.h + b.h, impedance);
         let d = &pair.separation;
@@ -168,12 +148,17 @@ impl<const D: usize> PairSum for Law<D> {
     }
 
     #[inline(always)]
-    fn add_divided<S: Simd>(&self, sums: &mut Sums<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {
+    fn add_divided<S: Simd>(
+        &self,
+        sums: &mut Kinematics<D, S>,
+        a: &Particle<D, S>,
+        b: &Particle<D, S>,
+    ) {
         self.add(sums, a, b);
     }
 
     #[inline(always)]
-    fn finish<S: Simd>(&self, s: Sums<D, S>, a: &Particle<D, S>) -> Sums<D, S> {
+    fn finish<S: Simd>(&self, s: Kinematics<D, S>, a: &Particle<D, S>) -> Kinematics<D, S> {
         let support = smallest_eigenvalue(&s.correction);
         let correction = inverse(&s.correction, support);
         let mut gradient = s.gradient;
@@ -187,7 +172,7 @@ impl<const D: usize> PairSum for Law<D> {
         if self.rings {
             divergence = divergence + a.velocity[0] / a.position[0];
         }
-        Sums {
+        Kinematics {
             correction,
             support,
             gradient,
@@ -217,17 +202,4 @@ fn pressure_jump<S: Simd, const D: usize>(a: &Particle<D, S>, b: &Particle<D, S>
         rest = push[k].mul_add(d[k], rest);
     }
     limited(jump, rest)
-}
-
-impl<const D: usize> From<&Sums<D>> for Kinematics<D> {
-    fn from(s: &Sums<D>) -> Self {
-        Self {
-            correction: s.correction,
-            support: s.support,
-            gradient: s.gradient,
-            divergence: s.divergence,
-            exchange: s.exchange,
-            crowding: s.crowding,
-        }
-    }
 }

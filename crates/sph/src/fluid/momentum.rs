@@ -75,13 +75,14 @@ pub(crate) fn sweep<const D: usize>(
     outside: &[f64],
     sweep: &mut Sweep<D>,
 ) -> Vec<Forces<D>> {
-    let (places, kinematics, memory) =
-        (&sweep.places, &sweep.kinematics, &mut sweep.memory.momentum);
-    let of = |a: usize| particle(fluid, velocity[a], &kinematics[a], outside[a], a);
+    let places = &sweep.places;
+    let kinematics = |a: usize| &sweep.memory.kinematics.results[places.of(a)];
+    let memory = &mut sweep.memory.momentum;
+    let of = |a: usize| particle(fluid, velocity[a], kinematics(a), outside[a], a);
     places.sum(&Law::<D>, ghosts, of, image, memory);
     let forces = |a: usize| {
-        let correction = correction(&kinematics[a]);
-        memory.results[places.place(a)].forces(correction, fluid.density(a))
+        let correction = correction(kinematics(a));
+        memory.results[places.of(a)].forces(correction, fluid.density(a))
     };
     (0..fluid.len())
         .into_par_iter()

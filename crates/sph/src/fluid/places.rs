@@ -10,15 +10,20 @@ use crate::geometry::length;
 use crate::neighbours::boxes::Points;
 use crate::neighbours::clusters::ClusterLists;
 use crate::neighbours::order::compact_order;
-use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::neighbours::pair_sum::{PairSum, Record};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
 /// Lists that have grown to this multiple of their length when the clusters were new call for new ones.
 const STALE: f64 = 1.1;
 
-/// Room in the lists for the change of h and for shifting within a step, in units of h; motion comes on top.
-const ROOM: f64 = 0.05;
+/// Room in the lists for the change of h and for shifting within a step of dt, in units of h: the first at rest, the second
+/// times |grad v| dt of the last step (shifting moves a particle by up to 2 h |grad v| dt, and h changes by less than half of
+/// h |grad v| dt). Motion comes on top. A pair that comes in farther out is missed where its kernel is next to nothing.
+const ROOM: (f64, f64) = (0.005, 4.0);
+
+/// Most room, in units of h.
+const MOST_ROOM: f64 = 0.1;
 
 /// Which eight particles make a cluster. Results depend on it in the last bits: part of a checkpoint.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -71,15 +76,16 @@ impl Clustering {
 }
 
 impl<const D: usize> Fluid<D> {
+    /// Half of the support of particle `a` with room for what a step of `dt` may bring, m.
+    fn reach(&self, a: usize, dt: f64) -> f64 {
+        let room = (ROOM.0 + ROOM.1 * self.strain_rate[a] * dt).min(MOST_ROOM);
+        (1.0 + room) * self.smoothing_length[a] + 0.5 * dt * length(self.velocity[a])
+    }
+
     /// New clusters if those of the last step no longer lie together.
     pub(crate) fn renew_clusters(&mut self) {
         self.clustering.renew(&self.position);
     }
-}
-
-record! {
-    /// What the search reads.
-    struct Point { position: [T; D], reach: T }
 }
 
 /// Records of all places, and what comes out for the particles, by place.
@@ -109,7 +115,6 @@ pub(crate) struct Places<const D: usize> {
     of_ghost: Vec<u32>,
     lists: ClusterLists<D>,
     total: usize,
-    points: Vec<Point<D>>,
     groups: Vec<Points<D>>,
 }
 
@@ -121,7 +126,6 @@ impl<const D: usize> Default for Places<D> {
             of_ghost: Vec::new(),
             lists: ClusterLists::default(),
             total: 0,
-            points: Vec::new(),
             groups: Vec::new(),
         }
     }
@@ -132,32 +136,34 @@ impl<const D: usize> Places<D> {
     /// the lists too.
     pub(crate) fn find(&mut self, fluid: &mut Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
         self.number(&fluid.clustering.order, &ghosts.surface);
-        let mut points = std::mem::take(&mut self.points);
-        self.fill(
-            &mut points,
-            ghosts,
-            |a| {
-                let way = 0.5 * dt * length(fluid.velocity[a]);
-                Point {
-                    position: fluid.position[a],
-                    reach: (1.0 + ROOM) * fluid.smoothing_length[a] + way,
-                }
-            },
-            |plane, p| Point {
-                position: plane.mirror(p.position),
-                ..p
-            },
-        );
-        (points.as_chunks::<LANES>().0.par_iter())
-            .with_min_len(PARTICLES_PER_TASK / LANES)
-            .map(group)
-            .collect_into_vec(&mut self.groups);
-        self.points = points;
+        self.place(fluid, ghosts, dt);
         let clusters = fluid.len().div_ceil(LANES);
         let ordinary = ghosts.surface.iter().filter(|s| !**s).count();
         let divide = (clusters + ordinary.div_ceil(LANES)) * LANES;
         self.lists.rebuild(&self.groups, clusters, divide);
         fluid.clustering.judge(self.lists.len());
+    }
+
+    /// Points of all places, in their groups.
+    fn place(&mut self, fluid: &Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
+        let own = (self.order.par_chunks(LANES))
+            .with_min_len(PARTICLES_PER_TASK / LANES)
+            .map(|members| {
+                let mut points = Points::NONE;
+                for (lane, &a) in members.iter().enumerate() {
+                    let a = a as usize;
+                    points.set(lane, fluid.position[a], fluid.reach(a, dt));
+                }
+                points
+            });
+        own.collect_into_vec(&mut self.groups);
+        self.groups.resize(self.total / LANES, Points::NONE);
+        for (k, &place) in self.of_ghost.iter().enumerate() {
+            let source = self.source_place(ghosts, k);
+            let (x, reach) = self.groups[source / LANES].get(source % LANES);
+            let place = place as usize;
+            self.groups[place / LANES].set(place % LANES, ghosts.plane[k].mirror(x), reach);
+        }
     }
 
     fn number(&mut self, order: &[u32], surface: &[bool]) {
@@ -201,7 +207,7 @@ impl<const D: usize> Places<D> {
         }
     }
 
-    /// Sums over the neighbours, with a record `of` each particle and the `image` of a record in a plane; use [`Self::place`] to
+    /// Sums over the neighbours, with a record `of` each particle and the `image` of a record in a plane; use [`Self::of`] to
     /// find those of a particle.
     pub(crate) fn sum<L: PairSum>(
         &self,
@@ -252,15 +258,7 @@ impl<const D: usize> Places<D> {
 
     /// Place of particle `a`.
     #[inline]
-    pub(crate) fn place(&self, a: usize) -> usize {
+    pub(crate) fn of(&self, a: usize) -> usize {
         self.of_particle[a] as usize
     }
-}
-
-fn group<const D: usize>(eight: &[Point<D>; LANES]) -> Points<D> {
-    let mut points = Points::NONE;
-    for (i, p) in eight.iter().enumerate() {
-        points.set(i, p.position, p.reach);
-    }
-    points
 }

@@ -111,7 +111,7 @@ pub(crate) fn exchange<const D: usize>(
     let given: Vec<f64> = (0..fluid.len())
         .into_par_iter()
         .with_min_len(PARTICLES_PER_TASK)
-        .map(|a| -memory.results[places.place(a)].given)
+        .map(|a| -memory.results[places.of(a)].given)
         .collect();
     let limited = (0..fluid.len()).filter(|a| given[*a] > most(*a)).count();
     if limited > 0 {
@@ -138,7 +138,7 @@ impl<const D: usize> Fluid<D> {
             .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(a, ((velocity, mass), volume))| {
-                let gain = &gains[places.place(a)];
+                let gain = &gains[places.of(a)];
                 let before = super::energy(&eos, *mass, *volume, *velocity);
                 let m = *mass + gain.mass;
                 for (v, momentum) in velocity.iter_mut().zip(gain.momentum) {

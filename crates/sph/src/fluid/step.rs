@@ -28,7 +28,6 @@ pub(crate) struct Sweep<const D: usize = 2> {
     pub(crate) places: Places<D>,
     /// Neighbours of single particles, for the published formulation alone.
     pub(crate) list: Neighbours,
-    pub(crate) kinematics: Vec<Kinematics<D>>,
     pub(crate) memory: Memory<D>,
 }
 
@@ -38,7 +37,6 @@ impl<const D: usize> Default for Sweep<D> {
             ghosts: Ghosts::default(),
             places: Places::default(),
             list: Neighbours::default(),
-            kinematics: Vec::new(),
             memory: Memory::default(),
         }
     }
@@ -47,7 +45,7 @@ impl<const D: usize> Default for Sweep<D> {
 /// Memory of the sums over neighbours.
 #[derive(Debug, Clone)]
 pub(crate) struct Memory<const D: usize> {
-    kinematics: kinematics::Memory<D>,
+    pub(crate) kinematics: kinematics::Memory<D>,
     pub(crate) shifting: shifting::Memory<D>,
     pub(crate) momentum: momentum::Memory<D>,
 }
@@ -86,9 +84,14 @@ impl<const D: usize> Sweep<D> {
             &sweep.ghosts,
             &sweep.places,
             &mut sweep.memory.kinematics,
-            &mut sweep.kinematics,
         );
         sweep
+    }
+
+    /// What the first sweep found for particle `a`.
+    #[inline]
+    pub(crate) fn kinematics(&self, a: usize) -> &Kinematics<D> {
+        &self.memory.kinematics.results[self.places.of(a)]
     }
 }
 
@@ -104,11 +107,11 @@ impl<const D: usize> Fluid<D> {
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
         let mut sweep = Sweep::find(self, walls, dt, clock);
-        self.keep_kinematics(&sweep.kinematics);
+        self.keep_kinematics(&sweep);
         let extra = match self.formulation {
             Formulation::Corrected(s) => self.exchange_volume(&s, &mut sweep, dt),
             Formulation::Joshi(s) => {
-                self.advance_far_volume(&sweep.kinematics, dt);
+                self.advance_far_volume(&sweep, dt);
                 let x = Extended::new(self, &sweep.ghosts, &self.velocity);
                 self.smoothing_velocities(&x, &sweep, s.xsph)
             }
@@ -174,11 +177,12 @@ impl<const D: usize> Fluid<D> {
         reaction
     }
 
-    fn keep_kinematics(&mut self, kinematics: &[Kinematics<D>]) {
+    fn keep_kinematics(&mut self, sweep: &Sweep<D>) {
         (self.support.par_iter_mut().zip(&mut self.strain_rate))
-            .zip(kinematics)
+            .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
-            .for_each(|((support, strain_rate), k)| {
+            .for_each(|(a, (support, strain_rate))| {
+                let k = sweep.kinematics(a);
                 *support = k.support;
                 *strain_rate = shifting::norm(&k.gradient);
             });
@@ -200,7 +204,8 @@ impl<const D: usize> Fluid<D> {
                 return 0.0;
             }
             let half = 0.5 * spacing::<D>(self.area(a));
-            let stretch = sweep.kinematics[a]
+            let stretch = sweep
+                .kinematics(a)
                 .gradient
                 .map(|row| half * dot(row, far.normal));
             let speed = dot(far.normal, std::array::from_fn(|i| v[i] + stretch[i]));

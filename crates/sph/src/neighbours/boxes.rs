@@ -28,6 +28,11 @@ impl<const D: usize> Points<D> {
             self.reach[lane] = reach;
         }
     }
+
+    /// The point at a place, and its reach.
+    pub(crate) fn get(&self, lane: usize) -> ([f64; D], f64) {
+        (self.position.map(|x| x[lane]), self.reach[lane])
+    }
 }
 
 /// A box and the largest reach of the points in it, m.

@@ -12,6 +12,7 @@
 //! A particle taken out of the body has area 0 here.
 
 use super::images::Image;
+use super::patches;
 use super::search::Cloud;
 use crate::geometry::Vec2;
 use crate::kernel;
@@ -305,60 +306,8 @@ impl List {
     }
 }
 
-/// Particles in compact patches of [`LANES`], neighbours of each other in the order where they can be.
+/// Particles in compact patches of [`LANES`]; the last one is filled up with its last particle.
 fn patches(position: &[Vec2]) -> Vec<[u32; LANES]> {
-    let mut order: Vec<u32> = (0..position.len() as u32).collect();
-    halve(position, &mut order);
     let patch = |c: &[u32]| std::array::from_fn(|k| c[k.min(c.len() - 1)]);
-    order.chunks(LANES).map(patch).collect()
-}
-
-fn halve(position: &[Vec2], order: &mut [u32]) {
-    if order.len() <= LANES {
-        return order.sort_unstable();
-    }
-    let extent = |k: usize| {
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for &a in order.iter() {
-            let x = position[a as usize][k];
-            (low, high) = (low.min(x), high.max(x));
-        }
-        high - low
-    };
-    let k = usize::from(extent(1) > extent(0));
-    let half = (order.len() / 2).div_ceil(LANES) * LANES;
-    order.select_nth_unstable_by(half, |&a, &b| {
-        let at = |i: u32| position[i as usize][k];
-        at(a).total_cmp(&at(b)).then(a.cmp(&b))
-    });
-    let (first, second) = order.split_at_mut(half);
-    halve(position, first);
-    halve(position, second);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn patches_hold_every_particle_once_and_are_compact() {
-        let n = 37 * 29;
-        let position: Vec<Vec2> = (0..n).map(|k| [(k % 37) as f64, (k / 37) as f64]).collect();
-        let patches = patches(&position);
-        let mut seen: Vec<u32> = patches.as_flattened().to_vec();
-        seen.sort_unstable();
-        seen.dedup();
-        assert_eq!(seen, (0..n as u32).collect::<Vec<_>>());
-        let size = |p: &[u32; LANES]| -> f64 {
-            let extent = |k: usize| {
-                let at = p.map(|a| position[a as usize][k]);
-                at.iter().fold(0.0, |m: f64, x| m.max(*x))
-                    - at.iter().fold(99.0, |m: f64, x| m.min(*x))
-            };
-            (extent(0) + 1.0) * (extent(1) + 1.0)
-        };
-        let mean = patches.iter().map(size).sum::<f64>() / patches.len() as f64;
-        // Eight cells cover eight unit squares; odd sizes leave gaps in some boxes.
-        assert!(mean < 13.0, "{mean}");
-    }
+    patches::order(position).chunks(LANES).map(patch).collect()
 }

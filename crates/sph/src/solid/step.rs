@@ -30,11 +30,21 @@ impl Solid {
             let stretch = smallest_stretch(&self.total_deformation(a)) / ROOM;
             self.reference.first_area[a].sqrt() * stretch.min(1.0)
         };
+        // The first of the smallest, whatever is compared first.
+        let smaller = |p: (usize, f64), q: (usize, f64)| {
+            if q.1.total_cmp(&p.1).then(q.0.cmp(&p.0)).is_lt() {
+                q
+            } else {
+                p
+            }
+        };
         let (particle, smallest) = (0..self.len())
+            .into_par_iter()
+            .with_min_len(1024)
             .filter(|&a| s.removed[a] == 0.0)
             .map(|a| (a, spacing(a)))
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .unwrap_or((0, spacing(0)));
+            .reduce_with(smaller)
+            .unwrap_or_else(|| (0, spacing(0)));
         let speed = self
             .material
             .elastic
