@@ -47,6 +47,27 @@ impl Cavity {
     }
 }
 
+/// A void of a [`Map`].
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Void {
+    /// Volume with its rim, m3.
+    pub(crate) volume: f64,
+    /// Volume of its cells alone, m3.
+    core: f64,
+    /// Cells with colour below 1/2.
+    pub(crate) cells: usize,
+}
+
+/// Voids of a window cell by cell.
+#[derive(Debug, Clone)]
+pub(crate) struct Map {
+    pub(crate) window: Window,
+    pub(crate) size: [usize; 2],
+    /// Void of each cell, numbered from 1; 0 for none.
+    pub(crate) label: Vec<u32>,
+    pub(crate) voids: Vec<Void>,
+}
+
 /// Rows of cells that one task colours.
 const BAND: usize = 8;
 
@@ -283,6 +304,33 @@ impl Colour {
             front = next;
         }
         rim
+    }
+
+    /// The voids cell by cell.
+    pub(crate) fn map(&self) -> Map {
+        let label = self.label();
+        let rim = self.rim(&label);
+        let count = label.iter().copied().max().unwrap_or(0) as usize;
+        let mut voids = vec![Void::default(); count];
+        for (k, (&inside, &around)) in label.iter().zip(&rim).enumerate() {
+            if around != 0 {
+                voids[around as usize - 1].volume += self.void(k);
+            }
+            if inside != 0 {
+                let void = &mut voids[inside as usize - 1];
+                void.cells += 1;
+                void.core += self.void(k);
+            }
+        }
+        for void in &mut voids {
+            void.volume = void.volume.max(void.core);
+        }
+        Map {
+            window: self.window,
+            size: self.size,
+            label,
+            voids,
+        }
     }
 
     fn measure(&self, label: &[u32], rim: &[u32], which: u32) -> Cavity {

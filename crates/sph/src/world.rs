@@ -264,7 +264,11 @@ impl World {
         });
         for (f, sweep) in fluids.zip(sweeps) {
             let sides = f.sides.clone();
-            let reaction = f.push(sweep, &walls(&sides, &lines), dt, time, clock);
+            let walls = walls(&sides, &lines);
+            if f.gas.is_some() {
+                f.follow_gas(&sweep.ghosts.refresh(f, &walls));
+            }
+            let reaction = f.push(sweep, &walls, dt, time, clock);
             f.kick(0.5 * dt);
             clock.lap(Phase::Integrate);
             for (line, sum) in lines.iter().zip(&mut pressures) {

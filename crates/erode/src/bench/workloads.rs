@@ -103,7 +103,7 @@ const MIXTURE: Workload = Workload {
 };
 
 /// All workloads.
-pub const ALL: [Workload; 12] = [
+pub const ALL: [Workload; 14] = [
     LIQUID,
     LIQUID_RINGS,
     LIQUID_GRADED,

@@ -6,6 +6,7 @@ use crate::case::{Bubble, Simulation};
 use crate::output::Column;
 use erode_sph::cavity::{Cavity, Colour, Window};
 use erode_sph::fluid::Fluid;
+use erode_sph::fluid::gas::Pocket;
 use erode_sph::fluid::ghosts::{Ghosts, Wall};
 use erode_sph::geometry::Vec2;
 use erode_sph::interface::SurfaceLine;
@@ -49,6 +50,9 @@ pub(crate) struct Record {
     /// Half-width of the jet at that time, m.
     #[serde(default)]
     pub jet_half_width: Option<f64>,
+    /// Largest pressure of the gas, Pa.
+    #[serde(default)]
+    pub max_gas_pressure: f64,
     /// Largest pressure in the liquid, Pa.
     pub max_pressure: f64,
     /// Largest energy that the boundaries put in and the start held, J.
@@ -103,6 +107,13 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("jet_gap", "m"),
             ("jet_speed", "m/s"),
             ("jet_half_width", "m"),
+        ]);
+    }
+    if simulation.bubble.is_some_and(|b| b.gas.is_some()) {
+        names.extend([
+            ("gas_pressure", "Pa"),
+            ("gas_volume", "m3"),
+            ("gas_parts", "-"),
         ]);
     }
     names.extend([
@@ -293,6 +304,15 @@ pub(crate) fn row(
         ]);
     }
     let fluids = liquid(world);
+    if simulation.bubble.is_some_and(|b| b.gas.is_some()) {
+        let gas = fluids.and_then(|f| f.gas.as_ref());
+        let parts = gas.map_or(&[][..], |g| &g.pockets);
+        values.extend([
+            record.see_gas(parts),
+            parts.iter().map(|p| p.volume).sum::<f64>() + 0.0,
+            parts.len() as f64,
+        ]);
+    }
     let pressure = fluids.map_or(0.0, |f| largest(&f.pressure));
     let speed = fluids.map_or(0.0, |f| {
         f.velocity
@@ -367,6 +387,14 @@ impl Record {
             self.jet_speed = Some(state.jet_speed);
             self.jet_half_width = Some(state.jet_half_width).filter(|w| w.is_finite());
         }
+    }
+
+    /// Pressure of the pocket with the largest share; 0 when all have closed.
+    fn see_gas(&mut self, pockets: &[Pocket]) -> f64 {
+        let main = pockets.iter().max_by(|a, b| a.share.total_cmp(&b.share));
+        let pressure = main.map_or(0.0, |p| p.pressure);
+        self.max_gas_pressure = self.max_gas_pressure.max(pressure);
+        pressure
     }
 
     fn see_energy(&mut self, ledger: &Ledger) -> f64 {

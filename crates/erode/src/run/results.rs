@@ -1,5 +1,6 @@
 //! The final numbers of a run and their comparison with the source.
 
+use super::layers;
 use super::ledger::Ledger;
 use super::monitor::{Metal, Record, equivalent_radius, liquid, solid};
 use super::strain_profile::{Column, columns, off_axis_maximum};
@@ -59,6 +60,7 @@ pub(crate) fn summary(
     for (name, steps) in &record.limiters {
         s.set_limiter(name, *steps);
     }
+    s.set_layers(layers::rows(world, simulation));
     s.set_comparison(comparison(simulation, &s));
     s
 }
@@ -100,6 +102,13 @@ fn bubble(s: &mut Summary, world: &World, simulation: &Simulation, record: &Reco
         s.set("jet_time", "s", record.jet_time.unwrap_or(none));
     }
     s.set("max_pressure", "Pa", record.max_pressure);
+    if let Some(gas) = liquid(world).and_then(|f| f.gas.as_ref()) {
+        s.set("max_gas_pressure", "Pa", record.max_gas_pressure);
+        s.set_count("gas_parts", gas.pockets.len() as u64);
+        s.set_ledger("gas_pockets_closed", "-", gas.closed as f64);
+        s.set_ledger("gas_energy_lost", "J", gas.lost);
+        s.set_ledger("gas_steps_cut", "-", gas.cut as f64);
+    }
     let energy = bubble_energy(b.radius, b.driving_pressure, simulation.geometry);
     if simulation.geometry == erode_sph::Geometry::Axisymmetric {
         s.set("bubble_energy", "J", energy);

@@ -125,7 +125,7 @@ fn fastest(world: &World) -> Option<(String, Vec2)> {
 }
 
 fn wave_speed(s: &Solid) -> f64 {
-    s.material.elastic.longitudinal_speed(s.material.density)
+    s.wave_speed()
 }
 
 fn implausible_liquid(f: &Fluid, body: &str) -> Option<Finding> {

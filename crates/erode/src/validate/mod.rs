@@ -13,6 +13,7 @@ mod columns;
 mod erosion_formulae;
 mod error;
 mod figure;
+mod gas_rebound;
 mod gaussian_pressure_static;
 mod indentation_axisym;
 mod indentation_planestrain;
@@ -102,7 +103,7 @@ impl Outcome {
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 18] = [
+pub const ALL: [Validation; 19] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     stress_waves::BAR,
@@ -114,6 +115,7 @@ pub const ALL: [Validation; 18] = [
     indentation_planestrain::VALIDATION,
     gaussian_pressure_static::VALIDATION,
     rayleigh_collapse::VALIDATION,
+    gas_rebound::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,
     bubble::RAYLEIGH,

@@ -8,6 +8,7 @@ pub mod axis_function;
 pub mod corrected;
 mod extended;
 pub mod far_field;
+pub mod gas;
 pub mod ghosts;
 pub mod joshi;
 mod kinematics;
@@ -71,6 +72,10 @@ pub struct Fluid<const D: usize = 2> {
     pub formulation: Formulation,
     /// Which particles are summed side by side.
     pub clustering: Clustering,
+    /// Gas in its cavities, if there is any.
+    pub gas: Option<gas::Gas>,
+    /// Pressure of the gas on each particle, Pa; empty without gas.
+    pub(crate) gas_pressure: Vec<f64>,
     /// Energy that came and went, and what was counted, since the start.
     pub account: Account,
     /// Memory for the next step.
@@ -136,6 +141,8 @@ impl<const D: usize> Fluid<D> {
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
             clustering: Clustering::of(n),
+            gas: None,
+            gas_pressure: Vec::new(),
             account: Account::default(),
             sweep: step::Sweep::default(),
         }

@@ -150,10 +150,15 @@ impl<const D: usize> Fluid<D> {
             Formulation::Joshi(_) => self.sum_density(&ghosts, &sweep),
         }
         self.update_pressure();
-        let outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
+        let mut outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(far, v)| far.pressure_outside(&self.eos, *v, time))
             .collect();
+        for (a, pressure) in self.gas_pressure.iter().enumerate() {
+            if !self.far_field[a].is_some() {
+                outside[a] = *pressure;
+            }
+        }
         let forces = match self.formulation {
             Formulation::Corrected(_) => {
                 momentum::sweep(self, &ghosts, &predicted, &outside, &mut sweep)

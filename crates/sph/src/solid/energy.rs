@@ -59,8 +59,8 @@ impl Solid {
     /// Elastic energy of a particle, J: (1 - D) times that of the sound material.
     pub(super) fn elastic_energy(&self, a: usize) -> f64 {
         let kirchhoff = self.state.stress[a] * self.volume_ratio(a);
-        let integrity = self.damage.integrity(self.state.damage[a]);
-        let energy = self.material.elastic.energy_density(kirchhoff);
+        let integrity = self.damage_of(a).integrity(self.state.damage[a]);
+        let energy = self.material_of(a).elastic.energy_density(kirchhoff);
         if integrity > 0.0 {
             self.reference.volume[a] * energy / integrity
         } else {

@@ -29,11 +29,11 @@ pub(super) struct Pair {
     pub(super) offset: Vec2,
     /// A_b (dW/dX)/X: times `offset` it is A_b grad_a W.
     pub(super) gradient: f64,
-    /// Coefficient of the viscous acceleration on approach, see `force.rs`.
+    /// Coefficient of the viscous acceleration on approach times the density, see `force.rs`.
     pub(super) viscous: f64,
     /// The same on separation.
     pub(super) separating: f64,
-    /// Coefficient of the hourglass acceleration, see `force.rs`.
+    /// Coefficient of the hourglass acceleration times the density, see `force.rs`.
     pub(super) hourglass: f64,
 }
 
@@ -43,27 +43,18 @@ pub(super) struct Pair {
 pub(super) struct Fixed {
     /// Position, m.
     pub(super) position: Vec2,
-    /// Area, 0 when taken out, in the unit of the stored gradients, and of the stored values.
-    pub(super) area: [f64; 2],
+    /// Area, 0 when taken out, in the unit of the stored gradients.
+    pub(super) area: f64,
     /// Half the smoothing length, m.
     pub(super) half_length: f64,
     /// R in axisymmetry, 1 in plane strain.
     pub(super) weight: f64,
-    /// Density, kg/m3.
-    pub(super) density: f64,
+    /// Density times longitudinal wave speed, kg/(m2 s).
+    pub(super) impedance: f64,
+    /// Hourglass stiffness zeta E, Pa, in the unit of the stored values.
+    pub(super) stiffness: f64,
     /// Viscosity of pairs with this particle on separation: not 0 in the first row of an open face.
     pub(super) edge: f64,
-}
-
-/// Constants of the stabilisers.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Stabilisers {
-    /// Least viscosity on approach.
-    pub(super) viscosity: f64,
-    /// Longitudinal wave speed, m/s.
-    pub(super) speed: f64,
-    /// Hourglass stiffness zeta E/rho, m2/s2.
-    pub(super) stiffness: f64,
 }
 
 /// Everything about a particle or mirror image that its pairs depend on.
@@ -71,7 +62,8 @@ pub(super) struct Stabilisers {
 pub(super) struct Source {
     pub(super) area: f64,
     pub(super) weight: f64,
-    pub(super) density: f64,
+    pub(super) impedance: f64,
+    pub(super) stiffness: f64,
     pub(super) edge: f64,
 }
 
@@ -88,7 +80,8 @@ pub(super) struct Pairs {
     gradient: Vec<[f32; LANES]>,
     value: Vec<[f32; LANES]>,
     pub(super) fixed: Vec<Fixed>,
-    pub(super) stabilisers: Stabilisers,
+    /// Least viscosity on approach.
+    pub(super) viscosity: f64,
 }
 
 /// One entry in the list of a cluster.
@@ -104,7 +97,7 @@ impl Pairs {
     pub(super) fn new(
         cloud: &Cloud,
         lists: &[Vec<u32>],
-        stabilisers: Stabilisers,
+        viscosity: f64,
         source: impl Fn(usize) -> Source,
     ) -> Self {
         let real = cloud.particles + cloud.mirror_images.len();
@@ -114,10 +107,11 @@ impl Pairs {
             let s = source(cloud.source[j] as usize);
             Fixed {
                 position: cloud.points[j],
-                area: [s.area * unit.powi(-6), s.area * unit.powi(-4)],
+                area: s.area * unit.powi(-6),
                 half_length: 0.5 * h[j],
                 weight: s.weight,
-                density: s.density,
+                impedance: s.impedance,
+                stiffness: s.stiffness * unit.powi(2),
                 edge: s.edge,
             }
         };
@@ -134,7 +128,7 @@ impl Pairs {
             slot,
             start: vec![0],
             fixed: (0..real).map(fixed).collect(),
-            stabilisers,
+            viscosity,
             ..Self::default()
         };
         for part in parts {
@@ -204,20 +198,20 @@ impl Pairs {
         let (own, other) = (&self.fixed[a], &self.fixed[self.neighbour(place)]);
         let offset = [0, 1].map(|k| own.position[k] - other.position[k]);
         let square = offset[0] * offset[0] + offset[1] * offset[1];
-        let there = f64::from(u8::from(own.area[0] != 0.0));
-        let cubed = there * f64::from(self.gradient[place][lane]) * other.area[0];
-        let mean =
-            there * 0.25 * (1.0 + other.weight / own.weight) * (1.0 + other.density / own.density);
-        let s = &self.stabilisers;
+        let there = f64::from(u8::from(own.area != 0.0));
+        let cubed = there * f64::from(self.gradient[place][lane]) * other.area;
+        let mean = there * 0.5 * (1.0 + other.weight / own.weight);
+        let impedance = mean * own.impedance.min(other.impedance);
+        let stiffness = mean * own.stiffness.min(other.stiffness);
         let edge = own.edge.max(other.edge);
         let length = own.half_length + other.half_length;
         Pair {
             neighbour: self.neighbour[place],
             offset,
             gradient: cubed * square,
-            viscous: edge.max(s.viscosity) * s.speed * length * cubed * mean,
-            separating: edge * s.speed * length * cubed * mean,
-            hourglass: s.stiffness * f64::from(self.value[place][lane]) * other.area[1] * mean,
+            viscous: edge.max(self.viscosity) * length * cubed * impedance,
+            separating: edge * length * cubed * impedance,
+            hourglass: f64::from(self.value[place][lane]) * other.area * stiffness,
         }
     }
 
@@ -233,12 +227,12 @@ impl Pairs {
         let (particles, beyond) = self.fixed.split_at_mut(forgotten.len());
         for (fixed, gone) in particles.iter_mut().zip(forgotten) {
             if *gone {
-                fixed.area = [0.0; 2];
+                fixed.area = 0.0;
             }
         }
         for (fixed, image) in beyond.iter_mut().zip(images) {
             if forgotten[image.source as usize] {
-                fixed.area = [0.0; 2];
+                fixed.area = 0.0;
             }
         }
     }
