@@ -73,7 +73,7 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
         notes: vec![
             super::near_wall::note(session),
             "60 MPa everywhere from the start, where the thesis lets a wave arrive; Rayleigh's liquid is not compressible. This program is ahead of \
-             it, most at the beginning: pressure released at once moves a compressible liquid at once, and liquid at rest does not feel it yet. \
+             it, most at the beginning: in a compressible liquid the wall of the bubble moves at once with p/(rho c), in his it begins at rest. \
              The validation rayleigh-collapse compares with a compressible solution."
                 .into(),
         ],
