@@ -5,6 +5,10 @@
 //! particles at the surface are strained (half a spacing inside the first particle is not: a parcel at the surface of a
 //! collapsing bubble is stretched along the radius).
 
+mod front;
+
+pub use front::Front;
+
 use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
 use crate::geometry::{Geometry, Vec2};

@@ -14,6 +14,7 @@ mod moments;
 mod momentum;
 mod pair;
 mod places;
+pub mod refinement;
 mod shifting;
 pub(crate) mod step;
 
@@ -69,6 +70,10 @@ pub struct Fluid {
     pub formulation: Formulation,
     /// Which particles are summed side by side.
     pub clustering: Clustering,
+    /// Where each particle comes from.
+    pub origin: Vec<refinement::Origin>,
+    /// Number that the next particle gets.
+    pub next_id: u32,
     /// Energy that came and went, and what was counted, since the start.
     pub account: Account,
     /// Memory for the next step.
@@ -132,6 +137,10 @@ impl Fluid {
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
             clustering: Clustering::of(n),
+            origin: (0..n as u32)
+                .map(|id| refinement::Origin { id, level: 0 })
+                .collect(),
+            next_id: n as u32,
             account: Account::default(),
             sweep: step::Sweep::default(),
         }

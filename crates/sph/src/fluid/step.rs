@@ -41,6 +41,12 @@ pub(crate) struct Memory {
 }
 
 impl Sweep {
+    /// Takes out the velocity gradients of particles that are not to `keep`.
+    pub(crate) fn retain_kinematics(&mut self, keep: &[bool]) {
+        let mut keep = keep.iter();
+        (self.kinematics).retain(|_| *keep.next().unwrap_or(&true));
+    }
+
     /// Ghosts, neighbours for a step of `dt`, velocity gradients.
     pub(crate) fn find(
         fluid: &mut Fluid,
