@@ -7,7 +7,7 @@
 
 mod front;
 
-pub use front::Front;
+pub use front::{Front, fronts};
 
 use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
@@ -123,10 +123,9 @@ impl Colour {
             })
             .collect();
         colour.add(&blots);
-        let finest = blots.iter().map(|b| b.h).fold(f64::INFINITY, f64::min);
-        if finest.is_finite() {
-            colour.reach = (kernel::SUPPORT * finest / window.cell).ceil() as usize;
-        }
+        let beside_void = blots.iter().filter(|b| colour.touches_void(b));
+        let widest = beside_void.map(|b| b.h).fold(0.0, f64::max);
+        colour.reach = (kernel::SUPPORT * widest / window.cell).ceil() as usize;
         colour
     }
 
@@ -153,6 +152,12 @@ impl Colour {
             }
         });
         self.colour = cells;
+    }
+
+    /// Whether the support of a particle reaches into a void.
+    fn touches_void(&self, b: &Blot) -> bool {
+        let row = |j: usize| &self.colour[self.size[0] * j..][b.from[0]..=b.to[0]];
+        (b.from[1]..=b.to[1]).any(|j| row(j).iter().any(|c| *c < 0.5))
     }
 
     fn centre(&self, i: usize, j: usize) -> Vec2 {

@@ -32,7 +32,12 @@ impl Fluid {
             ($($array:ident),*) => { $( let value = self.$array[a]; self.$array.push(value); )* };
         }
         copy!(position, velocity, acceleration, mass, volume, pressure);
-        copy!(smoothing_length, initial_smoothing_length, support, strain_rate);
+        copy!(
+            smoothing_length,
+            initial_smoothing_length,
+            support,
+            strain_rate
+        );
         self.far_field.push(FarField::NONE);
         self.side_depth.push(f64::INFINITY);
         let level = self.origin[a].level;
@@ -53,7 +58,12 @@ impl Fluid {
             } )* };
         }
         retain!(position, velocity, acceleration, mass, volume, pressure);
-        retain!(smoothing_length, initial_smoothing_length, support, strain_rate);
+        retain!(
+            smoothing_length,
+            initial_smoothing_length,
+            support,
+            strain_rate
+        );
         retain!(far_field, side_depth, origin);
         self.sweep.retain_kinematics(keep);
     }
