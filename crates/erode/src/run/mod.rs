@@ -13,6 +13,7 @@ mod loads;
 mod monitor;
 mod observer;
 mod probes;
+mod refinement;
 mod results;
 mod single_bubble;
 mod state;

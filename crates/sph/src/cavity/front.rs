@@ -40,8 +40,8 @@ impl Front {
     }
 }
 
-/// The voids of a liquid between `walls` in a part of the plane. When the largest is small for the cells of the window, it
-/// is looked at again with finer ones; the others that are then out of sight are too small to be told from gaps.
+/// The voids of a liquid between `walls` in a part of the plane. When the largest is small for the cells of the window,
+/// they are looked at again with finer ones.
 #[must_use]
 pub fn fronts(fluid: &Fluid, walls: &[&dyn Wall], window: Window) -> Vec<Front> {
     let ghosts = Ghosts::find(fluid, walls);
@@ -54,10 +54,12 @@ pub fn fronts(fluid: &Fluid, walls: &[&dyn Wall], window: Window) -> Vec<Front> 
         return found;
     }
     let margin = 4.0 * window.cell + largest.radius;
-    let [lower, upper] = largest.extent();
+    let all = |k: usize, side: usize| found.iter().map(move |f| f.extent()[side][k]);
+    let lower = |k| all(k, 0).fold(f64::INFINITY, f64::min) - margin;
+    let upper = |k| all(k, 1).fold(f64::NEG_INFINITY, f64::max) + margin;
     let zoomed = Window {
-        lower: [0, 1].map(|k| (lower[k] - margin).max(window.lower[k])),
-        upper: [0, 1].map(|k| (upper[k] + margin).min(window.upper[k])),
+        lower: [0, 1].map(|k| lower(k).max(window.lower[k])),
+        upper: [0, 1].map(|k| upper(k).min(window.upper[k])),
         cell,
     };
     Colour::new(fluid, &ghosts, zoomed).fronts(FEWEST_CELLS)

@@ -9,7 +9,8 @@ use super::particles::Piece;
 use crate::fluid::Fluid;
 use crate::geometry::{Geometry, Vec2};
 
-/// A particle is halved when the root of its area is this multiple of the wanted spacing.
+/// A particle is halved when the root of its area is this multiple of the wanted spacing. The same for all: where each has
+/// a threshold of its own, sizes mix at the surface and the collapse breaks up.
 const SPLIT: f64 = 1.2;
 
 /// Distance of the halves from the centre in units of the root of the area: a little more than a quarter, for the gaps are in
