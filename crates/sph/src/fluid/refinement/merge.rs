@@ -1,7 +1,7 @@
 //! Two particles become one.
 //!
-//! Mass, volume, momentum and area are the sums of both, so the place is the mean by area. Only halves are merged: no particle
-//! becomes larger than those of the start.
+//! Mass, volume, momentum and area are the sums of both, so the place is the mean by area. Only halves of
+//! the same level are merged: each counts as 2^-level particles of the start, and the sum of that never changes.
 
 use super::particles::Piece;
 use crate::fluid::Fluid;
@@ -38,7 +38,8 @@ impl Fluid {
             let free = near.of(i).iter().map(|j| *j as usize).filter(|&j| {
                 let b = candidates[j];
                 let joint = self.area(a) + self.area(b);
-                !taken[j] && joint < (MERGE * wanted[a].min(wanted[b])).powi(2)
+                let same = self.origin[a].level == self.origin[b].level;
+                !taken[j] && same && joint < (MERGE * wanted[a].min(wanted[b])).powi(2)
             });
             let square = |j: &usize| {
                 let (p, q) = (position[i], position[*j]);
@@ -71,7 +72,7 @@ impl Fluid {
         self.acceleration[a] = by_mass(self.acceleration[a], self.acceleration[b]);
         self.support[a] = self.support[a].min(self.support[b]);
         self.strain_rate[a] = self.strain_rate[a].max(self.strain_rate[b]);
-        self.origin[a].level = self.origin[a].level.max(self.origin[b].level) - 1;
+        self.origin[a].level -= 1;
         self.reshape(
             a,
             &Piece {
