@@ -1,7 +1,8 @@
 //! Two particles become one.
 //!
-//! Mass, volume, momentum and area are the sums of both, so the place is the mean by area. Only halves of
-//! the same level are merged: each counts as 2^-level particles of the start, and the sum of that never changes.
+//! Mass, volume, momentum and area are the sums of both, so the place is the mean by area. Only what was halved
+//! is merged: two of one level are one of the level above, and what is left over from mixing joins a larger one, whose level
+//! stays. (Small ones that are left alone keep the time step small.)
 
 use super::particles::Piece;
 use crate::fluid::Fluid;
@@ -38,8 +39,7 @@ impl Fluid {
             let free = near.of(i).iter().map(|j| *j as usize).filter(|&j| {
                 let b = candidates[j];
                 let joint = self.area(a) + self.area(b);
-                let same = self.origin[a].level == self.origin[b].level;
-                !taken[j] && same && joint < (MERGE * wanted[a].min(wanted[b])).powi(2)
+                !taken[j] && joint < (MERGE * wanted[a].min(wanted[b])).powi(2)
             });
             let square = |j: &usize| {
                 let (p, q) = (position[i], position[*j]);
@@ -72,7 +72,8 @@ impl Fluid {
         self.acceleration[a] = by_mass(self.acceleration[a], self.acceleration[b]);
         self.support[a] = self.support[a].min(self.support[b]);
         self.strain_rate[a] = self.strain_rate[a].max(self.strain_rate[b]);
-        self.origin[a].level -= 1;
+        let (la, lb) = (self.origin[a].level, self.origin[b].level);
+        self.origin[a].level = if la == lb { la - 1 } else { la.min(lb) };
         self.reshape(
             a,
             &Piece {

@@ -17,6 +17,13 @@ const SPLIT: f64 = 1.2;
 /// this direction. (With 0.25 the wall of a collapsing cavity becomes 5 % too slow, with 0.35 it becomes 7 % too fast.)
 const OFFSET: f64 = 0.28;
 
+/// Liquid is at rest when its stretch over a particle is slower than this share of the speed of sound.
+const AT_REST: f64 = 1e-4;
+
+/// Below this eigenvalue of the moment matrix a particle is a fragment, and its velocity gradient is worth nothing: both
+/// halves move as the whole.
+const FRAGMENT: f64 = 0.35;
+
 impl Fluid {
     /// Halves the particles that are too large for the `wanted` spacing (m); returns how many.
     pub(super) fn split(&mut self, wanted: &[f64]) -> u64 {
@@ -32,17 +39,27 @@ impl Fluid {
     }
 
     fn halve(&mut self, a: usize) {
-        let gradient = self
-            .sweep
-            .kinematics
-            .get(a)
-            .map_or([[0.0; 2]; 2], |k| k.gradient);
-        let places = self.places_of_halves(a, stretched(&gradient));
+        let gradient = match self.sweep.kinematics.get(a) {
+            Some(k) if k.support > FRAGMENT => k.gradient,
+            _ => [[0.0; 2]; 2],
+        };
+        let places = self.places_of_halves(a, self.direction(a, &gradient));
         let pieces = self.halves(a, places, &gradient);
         self.origin[a].level += 1;
         let b = self.duplicate(a);
         self.reshape(a, &pieces[0]);
         self.reshape(b, &pieces[1]);
+    }
+
+    /// In which the halves lie: that of the greatest stretch; at rest one coordinate after the other.
+    fn direction(&self, a: usize, gradient: &[Vec2; 2]) -> Vec2 {
+        let (direction, rate) = stretched(gradient);
+        let moving = rate * self.area(a).sqrt() > AT_REST * self.eos.sound_speed;
+        match self.origin[a].level % 2 {
+            _ if moving => direction,
+            0 => [0.0, 1.0],
+            _ => [1.0, 0.0],
+        }
     }
 
     fn places_of_halves(&self, a: usize, direction: Vec2) -> [Vec2; 2] {
@@ -96,13 +113,10 @@ impl Fluid {
     }
 }
 
-/// Unit vector of the greatest rate of stretch; along the axis where there is none.
-fn stretched(gradient: &[Vec2; 2]) -> Vec2 {
+/// Unit vector of the greatest rate of stretch and that rate less the mean, 1/s.
+fn stretched(gradient: &[Vec2; 2]) -> (Vec2, f64) {
     let shear = 0.5 * (gradient[0][1] + gradient[1][0]);
     let half = 0.5 * (gradient[0][0] - gradient[1][1]);
-    if shear == 0.0 && half == 0.0 {
-        return [0.0, 1.0];
-    }
     let angle = 0.5 * shear.atan2(half);
-    [angle.cos(), angle.sin()]
+    ([angle.cos(), angle.sin()], shear.hypot(half))
 }

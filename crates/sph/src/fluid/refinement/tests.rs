@@ -92,10 +92,6 @@ fn assert_complete(f: &Fluid) {
     assert_eq!(ids.len(), n, "numbers are unique");
     assert!(ids.iter().all(|id| *id < f.next_id));
     assert!(f.position.iter().all(|x| x[0] > 0.0));
-    let share = |o: &Origin| 0.5_f64.powi(o.level as i32);
-    let at_start =
-        n as f64 + f.account.refinement.merges as f64 - f.account.refinement.splits as f64;
-    assert_eq!(f.origin.iter().map(share).sum::<f64>(), at_start);
 }
 
 #[test]
@@ -122,7 +118,7 @@ fn halving_and_merging_keep_mass_volume_and_momentum() {
         refine(&mut f, 3e-3);
         assert!(f.len() < 1000, "{} left", f.len());
         assert_eq!(f.account.refinement.merges as usize, 1600 - f.len());
-        assert!(f.origin.iter().all(|o| o.level > 0));
+        assert!(f.origin.iter().all(|o| o.level == 1 || o.level == 2));
         assert_complete(&f);
         let after = totals(&f);
         // Sums of 1600 numbers: rounding.
