@@ -47,6 +47,49 @@ fn refused(load: &str, phrases: &[&str]) {
     }
 }
 
+/// A layer of the block.
+fn layered(layers: &str, formulation: &str) -> String {
+    let solid = "solid.material = \"steel_a2205\"";
+    let with = format!("{solid}\nsolid.layers = [{layers}]\n{formulation}");
+    BLOCK.replace(solid, &with)
+}
+
+#[test]
+fn layers_that_do_not_fit_are_refused() {
+    let refused = |text: &str, phrases: &[&str]| {
+        let output = check(text);
+        let said = flat(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        for phrase in phrases {
+            assert!(said.contains(phrase), "`{phrase}` is not in: {said}");
+        }
+    };
+    let copper =
+        |thickness: &str| format!("{{ thickness = \"{thickness}\", material = \"copper_ofhc\" }}");
+    refused(
+        &layered(&copper("15 um"), ""),
+        &[
+            "layer 1 (copper_ofhc)",
+            "less than the particle spacing",
+            "5.000e-6 m",
+        ],
+    );
+    let both = format!("{}, {}", copper("0.5 mm"), copper("0.4 mm"));
+    refused(
+        &layered(&both, ""),
+        &["0.0009 m thick together", "0.0008 m high"],
+    );
+    refused(
+        &layered(&copper("0.1 mm"), "solid.formulation.joshi = {}"),
+        &["one material and no layers"],
+    );
+    let unknown = "{ thickness = \"0.1 mm\", material = \"coper_ofhc\" }";
+    refused(&layered(unknown, ""), &["did you mean `copper_ofhc`"]);
+    let output = check(&layered(&copper("0.1 mm"), ""));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(flat(&output.stdout).contains("copper_ofhc"));
+}
+
 #[test]
 fn loads_that_cannot_act_are_refused() {
     let pressure = |more: &str| {

@@ -149,3 +149,22 @@ fn a_reader_that_goes_away_is_no_failure() {
         String::from_utf8_lossy(&output.stderr)
     );
 }
+
+#[test]
+fn instructions_that_there_are_not_are_refused() {
+    let with = |name: &str| {
+        Command::new(env!("CARGO_BIN_EXE_erode"))
+            .args(["materials"])
+            .env("ERODE_SIMD", name)
+            .output()
+            .expect("the program starts")
+    };
+    let output = with("avx3");
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        said.contains("ERODE_SIMD is `avx3`") && said.contains("avx512, avx2, scalar"),
+        "{said}"
+    );
+    assert!(with("scalar").status.success());
+}

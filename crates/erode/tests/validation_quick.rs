@@ -78,6 +78,11 @@ fn rayleigh_collapse() {
 }
 
 #[test]
+fn gas_rebound() {
+    quick("gas-rebound", &[]);
+}
+
+#[test]
 fn detached_cavity() {
     quick("detached-cavity", &[]);
 }

@@ -13,6 +13,7 @@ use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
+use crate::simd::{self, LANES, Simd, Task};
 use rayon::prelude::*;
 
 /// The part of the plane in which cavities are looked for.
@@ -48,6 +49,27 @@ impl Cavity {
         let gap = self.axis_extent[1] - self.axis_extent[0];
         if gap.is_finite() { gap } else { 0.0 }
     }
+}
+
+/// A void of a [`Map`].
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Void {
+    /// Volume with its rim, m3.
+    pub(crate) volume: f64,
+    /// Volume of its cells alone, m3.
+    core: f64,
+    /// Cells with colour below 1/2.
+    pub(crate) cells: usize,
+}
+
+/// Voids of a window cell by cell.
+#[derive(Debug, Clone)]
+pub(crate) struct Map {
+    pub(crate) window: Window,
+    pub(crate) size: [usize; 2],
+    /// Void of each cell, numbered from 1; 0 for none.
+    pub(crate) label: Vec<u32>,
+    pub(crate) voids: Vec<Void>,
 }
 
 /// Rows of cells that one task colours.
@@ -86,6 +108,58 @@ impl Blot {
             to,
         })
     }
+}
+
+/// Colours the cells of a few rows.
+struct Band<'a> {
+    colour: &'a Colour,
+    blots: &'a [Blot],
+    /// First row.
+    first: usize,
+    cells: &'a mut [f64],
+    /// Cells in a row with those that only fill it up.
+    padded: usize,
+}
+
+impl Task for Band<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self) {
+        let w = self.colour.window;
+        let last = self.first + self.cells.len() / self.padded - 1;
+        let mut steps = [0.0; LANES];
+        for (i, step) in steps.iter_mut().enumerate() {
+            *step = i as f64 * w.cell;
+        }
+        let steps = S::load(&steps);
+        let near = |b: &&Blot| b.to[1] >= self.first && b.from[1] <= last;
+        for b in self.blots.iter().filter(near) {
+            let scale = S::splat(b.area * kernel::value(0.0, b.h));
+            let inverse = S::splat(1.0 / b.h);
+            for j in b.from[1].max(self.first)..=b.to[1].min(last) {
+                let row = (j - self.first) * self.padded;
+                let dy = S::splat(self.colour.centre(0, j)[1] - b.x[1]);
+                for i in (b.from[0]..=b.to[0]).step_by(LANES) {
+                    let dx = steps + S::splat(self.colour.centre(i, j)[0] - b.x[0]);
+                    let q = dx.mul_add(dx, dy * dy).sqrt() * inverse;
+                    // Cells beyond the support get exactly nothing.
+                    if let Some(cells) = self.cells[row + i..].first_chunk_mut::<LANES>() {
+                        *cells = scale.mul_add(relative(q), S::load(cells)).store();
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Kernel at q = distance/h over that at 0.
+#[inline(always)]
+fn relative<S: Simd>(q: S) -> S {
+    let zero = S::splat(0.0);
+    let t = (S::splat(2.0) - q).max(zero);
+    let u = (S::splat(1.0) - q).max(zero);
+    (t * t * t).mul_add(S::splat(0.25), -(u * u * u))
 }
 
 /// Colour of every cell of a window.
@@ -131,27 +205,21 @@ impl Colour {
 
     /// Bands of rows side by side; each cell gets its blots in their order.
     fn add(&mut self, blots: &[Blot]) {
-        let (row, mut cells) = (self.size[0], std::mem::take(&mut self.colour));
-        (cells.par_chunks_mut(row * BAND).enumerate()).for_each(|(band, cells)| {
-            let first = band * BAND;
-            let last = first + cells.len() / row - 1;
-            for b in blots
-                .iter()
-                .filter(|b| b.to[1] >= first && b.from[1] <= last)
-            {
-                for j in b.from[1].max(first)..=b.to[1].min(last) {
-                    for i in b.from[0]..=b.to[0] {
-                        let c = self.centre(i, j);
-                        let square = (c[0] - b.x[0]).powi(2) + (c[1] - b.x[1]).powi(2);
-                        if square < (kernel::SUPPORT * b.h).powi(2) {
-                            cells[i + row * (j - first)] +=
-                                b.area * kernel::value(square.sqrt(), b.h);
-                        }
-                    }
-                }
-            }
+        // Rows are padded so that eight cells from any of a row on are there.
+        let (row, padded) = (self.size[0], self.size[0] + LANES);
+        let mut cells = vec![0.0; padded * self.size[1]];
+        (cells.par_chunks_mut(padded * BAND).enumerate()).for_each(|(band, cells)| {
+            simd::run(Band {
+                colour: self,
+                blots,
+                first: band * BAND,
+                cells,
+                padded,
+            });
         });
-        self.colour = cells;
+        for (own, padded) in self.colour.chunks_mut(row).zip(cells.chunks(padded)) {
+            own.copy_from_slice(&padded[..row]);
+        }
     }
 
     /// Whether the support of a particle reaches into a void.
@@ -246,6 +314,33 @@ impl Colour {
             front = next;
         }
         rim
+    }
+
+    /// The voids cell by cell.
+    pub(crate) fn map(&self) -> Map {
+        let label = self.label();
+        let rim = self.rim(&label);
+        let count = label.iter().copied().max().unwrap_or(0) as usize;
+        let mut voids = vec![Void::default(); count];
+        for (k, (&inside, &around)) in label.iter().zip(&rim).enumerate() {
+            if around != 0 {
+                voids[around as usize - 1].volume += self.void(k);
+            }
+            if inside != 0 {
+                let void = &mut voids[inside as usize - 1];
+                void.cells += 1;
+                void.core += self.void(k);
+            }
+        }
+        for void in &mut voids {
+            void.volume = void.volume.max(void.core);
+        }
+        Map {
+            window: self.window,
+            size: self.size,
+            label,
+            voids,
+        }
     }
 
     fn measure(&self, label: &[u32], rim: &[u32], which: u32) -> Cavity {

@@ -1,17 +1,18 @@
-//! Neighbour lists for smoothing lengths that vary in space.
+//! Neighbour lists of single particles for smoothing lengths that vary in space.
 //!
-//! Particles a and b are neighbours when |x_a - x_b| < SUPPORT (h_a + h_b)/2 (1 + skin). Particles are sorted into
-//! one cell grid per factor of two in h; each particle searches every grid with the radius that grid needs.
+//! Particles a and b are neighbours when |x_a - x_b| < SUPPORT (h_a + h_b)/2 (1 + skin). The search goes through the same tree
+//! of boxes as that of the clusters ([`boxes`]); a liquid in the corrected form and a total Lagrangian solid use clusters
+//! instead ([`clusters`]).
 
 pub(crate) mod boxes;
 pub(crate) mod clusters;
-mod grid;
 pub(crate) mod order;
 pub(crate) mod pair_sum;
 
-use crate::geometry::Vec2;
 use crate::kernel::SUPPORT;
-use grid::Grid;
+use crate::simd::{self, LANES, Simd, Task};
+use boxes::{Extent, Points, Tree};
+pub use order::compact_order;
 use rayon::prelude::*;
 
 /// Rows handled by one task; results do not depend on it.
@@ -33,7 +34,12 @@ impl Neighbours {
     /// # Panics
     /// When the two arrays differ in length or hold fewer than `n_real` or more than 2^32 - 1 particles.
     #[must_use]
-    pub fn build(position: &[Vec2], smoothing_length: &[f64], n_real: usize, skin: f64) -> Self {
+    pub fn build<const D: usize>(
+        position: &[[f64; D]],
+        smoothing_length: &[f64],
+        n_real: usize,
+        skin: f64,
+    ) -> Self {
         assert_eq!(
             position.len(),
             smoothing_length.len(),
@@ -45,12 +51,18 @@ impl Neighbours {
         );
         assert!(u32::try_from(position.len()).is_ok(), "too many particles");
         let factor = 0.5 * SUPPORT * (1.0 + skin);
-        let grids = Grid::levels(position, smoothing_length, factor);
+        let cloud = Cloud::new(position, smoothing_length, factor);
         let chunks: Vec<Chunk> = (0..n_real.div_ceil(CHUNK))
             .into_par_iter()
             .map(|c| {
                 let rows = c * CHUNK..n_real.min((c + 1) * CHUNK);
-                Chunk::search(&grids, position, smoothing_length, rows, factor)
+                simd::run(Search {
+                    cloud: &cloud,
+                    position,
+                    smoothing_length,
+                    rows,
+                    factor,
+                })
             })
             .collect();
         Self::join(n_real, &chunks)
@@ -108,24 +120,33 @@ impl Neighbours {
     }
 }
 
-/// The order that sorts particles by cells: the new particle i is the old particle `order[i]`.
-///
-/// Stable within a cell; finest grid first, rows along the first coordinate. Keeping particles in this order makes
-/// neighbours neighbours in memory.
-///
-/// # Panics
-/// When the two arrays differ in length.
-#[must_use]
-pub fn cell_order(position: &[Vec2], smoothing_length: &[f64]) -> Vec<u32> {
-    assert_eq!(
-        position.len(),
-        smoothing_length.len(),
-        "one smoothing length per particle"
-    );
-    Grid::levels(position, smoothing_length, 0.5 * SUPPORT)
-        .iter()
-        .flat_map(|grid| grid.member.iter().map(|m| m.index))
-        .collect()
+/// All particles in compact groups of eight, and the tree over the groups.
+struct Cloud<const D: usize> {
+    order: Vec<u32>,
+    groups: Vec<Points<D>>,
+    tree: Tree<D>,
+}
+
+impl<const D: usize> Cloud<D> {
+    fn new(position: &[[f64; D]], smoothing_length: &[f64], factor: f64) -> Self {
+        let order = compact_order(position);
+        let group = |members: &[u32]| {
+            let mut points = Points::NONE;
+            for (i, &a) in members.iter().enumerate() {
+                let a = a as usize;
+                points.set(i, position[a], factor * smoothing_length[a]);
+            }
+            points
+        };
+        let groups: Vec<_> = order.par_chunks(LANES).map(group).collect();
+        let mut tree = Tree::default();
+        tree.rebuild(&groups);
+        Self {
+            order,
+            groups,
+            tree,
+        }
+    }
 }
 
 /// Lists of consecutive particles.
@@ -134,57 +155,48 @@ struct Chunk {
     index: Vec<u32>,
 }
 
-impl Chunk {
-    fn search(
-        grids: &[Grid],
-        position: &[Vec2],
-        smoothing_length: &[f64],
-        rows: std::ops::Range<usize>,
-        factor: f64,
-    ) -> Self {
-        let mut chunk = Self {
-            count: Vec::with_capacity(rows.len()),
-            index: Vec::with_capacity(rows.len() * 28),
+/// Finds the lists of some consecutive particles.
+struct Search<'a, const D: usize> {
+    cloud: &'a Cloud<D>,
+    position: &'a [[f64; D]],
+    smoothing_length: &'a [f64],
+    rows: std::ops::Range<usize>,
+    factor: f64,
+}
+
+impl<const D: usize> Task for Search<'_, D> {
+    type Output = Chunk;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Chunk {
+        let Cloud {
+            order,
+            groups,
+            tree,
+        } = self.cloud;
+        let mut chunk = Chunk {
+            count: Vec::with_capacity(self.rows.len()),
+            index: Vec::with_capacity(self.rows.len() * 28),
         };
-        let mut found = vec![0; 64];
-        for a in rows {
-            let n = collect(grids, position[a], smoothing_length[a], factor, &mut found);
-            let list = &mut found[..n];
-            list.sort_unstable();
+        let mut stack = Vec::with_capacity(64);
+        for a in self.rows {
             let before = chunk.index.len();
-            chunk
-                .index
-                .extend(list.iter().filter(|&&b| b as usize != a));
+            let (x, reach) = (self.position[a], self.factor * self.smoothing_length[a]);
+            tree.search::<S>(&Extent::at(x, reach), &mut stack, |group| {
+                let mut bits = boxes::near::<S, D>(x, reach, &groups[group]);
+                while bits != 0 {
+                    let b = order[group * LANES + bits.trailing_zeros() as usize];
+                    bits &= bits - 1;
+                    if b as usize != a {
+                        chunk.index.push(b);
+                    }
+                }
+            });
+            chunk.index[before..].sort_unstable();
             chunk.count.push(chunk.index.len() - before);
         }
         chunk
     }
-}
-
-/// Writes all particles closer than the pair radius (the particle itself included) to `found` and returns their
-/// number.
-fn collect(grids: &[Grid], x: Vec2, h: f64, factor: f64, found: &mut Vec<u32>) -> usize {
-    let mut n = 0;
-    for grid in grids {
-        let reach = factor * (h + grid.largest);
-        if !grid.touches(x, reach) {
-            continue;
-        }
-        for row in grid.row(x[1] - reach)..=grid.row(x[1] + reach) {
-            let candidates = grid.range(row, x[0] - reach, x[0] + reach);
-            if found.len() < n + candidates.len() {
-                found.resize(2 * (n + candidates.len()), 0);
-            }
-            // Every candidate is written and kept by advancing: a branch here would be guessed wrong half the time.
-            for b in candidates {
-                let d = [x[0] - b.position[0], x[1] - b.position[1]];
-                let radius = factor * (h + b.smoothing_length);
-                found[n] = b.index;
-                n += usize::from(d[0] * d[0] + d[1] * d[1] < radius * radius);
-            }
-        }
-    }
-    n
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! The bodies of a simulation and the order of a step (the picture of it: docs/step.md).
 
-use crate::fluid::Fluid;
 use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::step::Sweep;
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::Vec2;
 use crate::interact::{Interaction, between};
 use crate::interface::SurfaceLine;
 use crate::phases::{Phase, Phases};
 use crate::solid::{Side, Solid, SolidError};
+use rayon::prelude::*;
 use thiserror::Error;
 
 /// A body: the closed set of what can take part.
@@ -263,7 +264,11 @@ impl World {
         });
         for (f, sweep) in fluids.zip(sweeps) {
             let sides = f.sides.clone();
-            let reaction = f.push(sweep, &walls(&sides, &lines), dt, time, clock);
+            let walls = walls(&sides, &lines);
+            if f.gas.is_some() {
+                f.follow_gas(&sweep.ghosts.refresh(f, &walls));
+            }
+            let reaction = f.push(sweep, &walls, dt, time, clock);
             f.kick(0.5 * dt);
             clock.lap(Phase::Integrate);
             for (line, sum) in lines.iter().zip(&mut pressures) {
@@ -289,20 +294,23 @@ impl World {
                 Body::Fluid(f) => (&f.position, &f.velocity),
                 Body::Solid(s) => (&s.state.position, &s.state.velocity),
             };
-            for (particle, (x, v)) in position.iter().zip(velocity).enumerate() {
-                if !(x[0] + x[1] + v[0] + v[1]).is_finite() {
-                    let field = if (x[0] + x[1]).is_finite() {
-                        "velocity"
-                    } else {
-                        "position"
-                    };
-                    return Err(WorldError::NotFinite {
-                        body: named.name.clone(),
-                        particle,
-                        field,
-                        position: *x,
-                    });
-                }
+            let finite = |(x, v): (&Vec2, &Vec2)| (x[0] + x[1] + v[0] + v[1]).is_finite();
+            let bad = (position.par_iter().zip(velocity))
+                .with_min_len(PARTICLES_PER_TASK)
+                .position_first(|pair| !finite(pair));
+            if let Some(particle) = bad {
+                let x = position[particle];
+                let field = if (x[0] + x[1]).is_finite() {
+                    "velocity"
+                } else {
+                    "position"
+                };
+                return Err(WorldError::NotFinite {
+                    body: named.name.clone(),
+                    particle,
+                    field,
+                    position: x,
+                });
             }
         }
         Ok(())

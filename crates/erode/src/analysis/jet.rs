@@ -1,9 +1,11 @@
 //! Width of the liquid jet that crosses a collapsing bubble.
 
+use super::crossing;
+
 /// Distance from the axis at which the speed of the jet falls to half of that on the axis, m, at the height `level`:
 /// `position` (r, z) in m, `speed` towards the wall in m/s, `band` half the height of the slice that is read, m. The
 /// speed between particles is that of straight lines; on the axis it is that of the innermost particle. None without
-/// particles in the slice, or when the speed does not fall to half.
+/// particles in the slice, without a jet (no speed towards the wall on the axis), or when the speed does not fall to half.
 #[must_use]
 pub fn half_width(position: &[[f64; 2]], speed: &[f64], level: f64, band: f64) -> Option<f64> {
     let mut slice: Vec<[f64; 2]> = position
@@ -13,10 +15,9 @@ pub fn half_width(position: &[[f64; 2]], speed: &[f64], level: f64, band: f64) -
         .map(|(x, v)| [x[0], *v])
         .collect();
     slice.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let half = 0.5 * slice.first()?[1];
+    let half = Some(0.5 * slice.first()?[1]).filter(|half| *half > 0.0)?;
     let pair = slice.windows(2).find(|p| p[1][1] < half)?;
-    let part = (pair[0][1] - half) / (pair[0][1] - pair[1][1]);
-    Some(pair[0][0] + part * (pair[1][0] - pair[0][0]))
+    Some(crossing(pair[0], pair[1], half))
 }
 
 #[cfg(test)]
@@ -41,6 +42,15 @@ mod tests {
         let exact = w * std::f64::consts::LN_2.sqrt();
         // The innermost particle is half a spacing off the axis.
         assert!((found / exact - 1.0).abs() < 2e-3, "{found} {exact}");
+    }
+
+    /// Half of a speed away from the wall is larger than the speed itself: no place would be one.
+    #[test]
+    fn liquid_that_does_not_move_towards_the_wall_is_no_jet() {
+        let position = [[1.0, 0.0], [2.0, 0.0], [3.0, 0.0]];
+        for speed in [[-5.0, -6.0, -7.0], [0.0, -1.0, -2.0], [f64::NAN, 1.0, 0.0]] {
+            assert_eq!(half_width(&position, &speed, 0.0, 0.1), None);
+        }
     }
 
     #[test]

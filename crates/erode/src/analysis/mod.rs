@@ -6,8 +6,10 @@
 mod effective_pressure;
 mod energy;
 mod jet;
+mod line;
 mod order;
 mod plastic_zone;
+pub mod published;
 mod shock_front;
 mod times;
 mod toroid;
@@ -18,9 +20,10 @@ pub use energy::{
     absorbed_energy, bubble_energy, energy_density, plastic_potential, plastic_volume,
 };
 pub use jet::half_width;
+pub use line::crossing;
 pub use order::{Extrapolated, extrapolate, power_law};
-pub use plastic_zone::{largest_in_column, zone_depth};
-pub use shock_front::{Front, front, front_position, front_speed};
-pub use times::{FALL, RISE, loading_time, material_time};
+pub use plastic_zone::{YIELDED, along_level, largest_in_column, zone_depth};
+pub use shock_front::{Front, followed_above, front, front_position, front_speed};
+pub use times::{FALL, RISE, above_step, loading_time, material_time};
 pub use toroid::{Toroid, last_toroid};
 pub use wall_pressure::WallPressure;

@@ -4,7 +4,12 @@
 //! A sphere that grows at c from the height a above the wall meets it at r^2 + a^2 = (c t)^2 (6.19, z = 0), so that
 //! dr/dt = c sqrt(1 + (a/r)^2) (6.20). SI units; r > 0.
 
-use super::WallPressure;
+use super::{WallPressure, above_step};
+
+/// The front is followed down to this part of the yield stress: below, other waves are as strong.
+const FOLLOWED: f64 = 0.4;
+/// Radii on each side that its speed is read from.
+const REACH: usize = 3;
 
 /// The front at one radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,10 +36,17 @@ pub fn front_position(c: f64, height: f64, time: f64) -> f64 {
     ((c * time).powi(2) - height * height).sqrt()
 }
 
-/// The front at every radius where the pressure exceeds `least`, Pa: how far it is followed before it is lost in what
-/// else acts on the wall. The speed is the inverse slope of a straight line through `2 reach + 1` neighbouring radii.
+/// Pressure above which the front is told from what else acts on the wall, Pa: a part of the yield stress of the metal, and
+/// more than the step that drives the collapse makes by itself.
 #[must_use]
-pub fn front(wall: &WallPressure, least: f64, reach: usize) -> Vec<Front> {
+pub fn followed_above(yield_stress: f64, driving_pressure: f64) -> f64 {
+    above_step(FOLLOWED * yield_stress, driving_pressure)
+}
+
+/// The front at every radius where the pressure exceeds `least`, Pa: how far it is followed before it is lost in what
+/// else acts on the wall. The speed is the inverse slope of a straight line through seven neighbouring radii.
+#[must_use]
+pub fn front(wall: &WallPressure, least: f64) -> Vec<Front> {
     let peaks = wall.peaks();
     let followed = peaks.iter().take_while(|[p, _]| *p > least).count();
     let times: Vec<f64> = (0..followed)
@@ -42,7 +54,7 @@ pub fn front(wall: &WallPressure, least: f64, reach: usize) -> Vec<Front> {
         .collect();
     (0..followed)
         .map(|k| {
-            let (low, high) = (k.saturating_sub(reach), (k + reach + 1).min(followed));
+            let (low, high) = (k.saturating_sub(REACH), (k + REACH + 1).min(followed));
             let slowness = slope(&wall.radius[low..high], &times[low..high]);
             Front {
                 radius: wall.radius[k],
@@ -61,9 +73,10 @@ pub fn front(wall: &WallPressure, least: f64, reach: usize) -> Vec<Front> {
 /// When the pressure is largest: the top of the parabola through the largest row and its neighbours. A shock that the
 /// discrete form smears over some spacings has its top where the sharp one has its jump and top, and not its foot.
 fn peak_time(time: &[f64], pressure: &[f64]) -> f64 {
-    let peak = (0..pressure.len())
-        .max_by(|a, b| pressure[*a].total_cmp(&pressure[*b]))
-        .unwrap_or(0);
+    let known = (0..pressure.len()).filter(|k| pressure[*k].is_finite());
+    let Some(peak) = known.max_by(|a, b| pressure[*a].total_cmp(&pressure[*b])) else {
+        return f64::NAN;
+    };
     if peak == 0 || peak + 1 >= pressure.len() {
         return time.get(peak).copied().unwrap_or(f64::NAN);
     }
@@ -111,12 +124,12 @@ mod tests {
     #[test]
     fn a_spherical_wave_runs_along_the_wall_as_the_equation_says() {
         let (c, height) = (1500.0, 0.09e-3);
-        let found = front(&sphere(c, height), 1e8, 2);
+        let found = front(&sphere(c, height), 1e8);
         assert_eq!(found.len(), 80);
-        // Straight lines over five radii: the curvature of the path counts on the axis, where the speed has no bound.
-        for f in found.iter().skip(6).take(70) {
+        // Straight lines over seven radii: the curvature of the path counts on the axis, where the speed has no bound.
+        for f in found.iter().skip(8).take(68) {
             let exact = front_speed(c, height, f.radius);
-            assert!((f.speed / exact - 1.0).abs() < 0.02, "{f:?}: {exact}");
+            assert!((f.speed / exact - 1.0).abs() < 0.03, "{f:?}: {exact}");
         }
         let far = &found[60];
         let when = far.radius.hypot(height) / c;
@@ -128,12 +141,12 @@ mod tests {
     #[test]
     fn the_front_is_followed_only_as_far_as_it_stands_out() {
         let wall = sphere(1500.0, 0.09e-3);
-        let found = front(&wall, 5e8, 2);
+        let found = front(&wall, 5e8);
         let limit = found.last().unwrap().radius;
         // 1e9 a/d = 5e8 at d = 2 a; radii are 5 um apart.
         let exact = (3.0_f64).sqrt() * 0.09e-3;
         assert!((limit - exact).abs() < 6e-6, "{limit} {exact}");
-        assert!(front(&wall, 2e9, 2).is_empty());
+        assert!(front(&wall, 2e9).is_empty());
     }
 
     #[test]
@@ -143,8 +156,27 @@ mod tests {
             p[..20].fill(1.5e8);
             p[20..30].fill(0.0);
         }
-        let found = front(&wall, 1e8, 2);
+        let found = front(&wall, 1e8);
         assert!(found[10].time > 50e-9, "{:?}", found[10]);
+    }
+
+    /// Rows without a value are no largest ones.
+    #[test]
+    fn rows_that_are_not_numbers_are_left_out() {
+        let mut wall = sphere(1500.0, 0.09e-3);
+        let whole = front(&wall, 1e8);
+        for p in &mut wall.pressure {
+            p[5] = f64::NAN;
+            p[399] = f64::NAN;
+        }
+        assert_eq!(front(&wall, 1e8), whole);
+    }
+
+    #[test]
+    fn the_front_stands_out_of_the_driving_step() {
+        assert_eq!(followed_above(500e6, 50e6), 200e6);
+        // The step of 100 MPa makes 200 MPa at a rigid wall.
+        assert!(followed_above(500e6, 100e6) > 200e6);
     }
 
     #[test]

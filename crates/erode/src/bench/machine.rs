@@ -42,26 +42,20 @@ fn processor() -> String {
     name.unwrap_or("unknown processor").to_owned()
 }
 
-/// Resident memory of this process, bytes; 0 where the system does not tell.
-pub(super) fn resident_memory() -> f64 {
-    let text = fs::read_to_string("/proc/self/statm").unwrap_or_default();
-    let pages = text.split_whitespace().nth(1).and_then(|p| p.parse().ok());
-    pages.map_or(0.0, |p: f64| p * PAGE)
+/// Resident memory of this process, bytes; none where the system does not tell.
+pub(super) fn resident_memory() -> Option<f64> {
+    let text = fs::read_to_string("/proc/self/statm").ok()?;
+    let pages: f64 = text.split_whitespace().nth(1)?.parse().ok()?;
+    Some(pages * PAGE)
 }
 
-/// Processor time of all threads of this process that live, s; NaN where the system does not tell.
-pub(super) fn processor_time() -> f64 {
-    let Ok(tasks) = fs::read_dir("/proc/self/task") else {
-        return f64::NAN;
-    };
+/// Processor time of all threads of this process that live, s; none where the system does not tell.
+pub(super) fn processor_time() -> Option<f64> {
+    let tasks = fs::read_dir("/proc/self/task").ok()?;
     let of_task = |folder: fs::DirEntry| {
         let text = fs::read_to_string(folder.path().join("schedstat")).ok()?;
         text.split_whitespace().next()?.parse::<f64>().ok()
     };
     let nanoseconds: f64 = tasks.flatten().filter_map(of_task).sum();
-    if nanoseconds > 0.0 {
-        1e-9 * nanoseconds
-    } else {
-        f64::NAN
-    }
+    (nanoseconds > 0.0).then_some(1e-9 * nanoseconds)
 }

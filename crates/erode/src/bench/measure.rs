@@ -2,28 +2,16 @@
 
 use super::BenchError;
 use super::machine::{processor_time, resident_memory};
+use super::subject::Subject;
 use super::workloads::Workload;
-use crate::output::{Checkpoint, CheckpointMeta, CheckpointStore};
-use crate::run::store_state;
-use erode_sph::neighbours::Neighbours;
 use erode_sph::phases::Phase;
-use erode_sph::world::{Body, World};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::time::Instant;
 
-/// Steps before the measured ones.
-const WARM_UP: usize = 12;
 /// Blocks of steps; the fastest counts.
 const BLOCKS: usize = 5;
-/// Sums over all pairs in a step: velocity gradient, two of the exchange of volume, forces.
-const LIQUID_SUMS: usize = 4;
-/// Deformation gradient, forces.
-const SOLID_SUMS: usize = 2;
-/// Additions, multiplications, divisions and roots that one pair needs in a step, counted in the formulas of the source.
-const LIQUID_OPERATIONS: f64 = 263.0;
-const SOLID_OPERATIONS: f64 = 56.0;
 
 /// What one workload showed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -38,10 +26,11 @@ pub struct Measurement {
     pub pairs: usize,
     /// Measured steps.
     pub steps: usize,
-    /// Resident memory after the steps less that before the world was built, per particle; bytes.
-    pub bytes_per_particle: f64,
-    /// Seconds to write one checkpoint.
-    pub checkpoint_seconds: f64,
+    /// Resident memory after the steps less that before the world was built, per particle, bytes; none where the system does
+    /// not tell.
+    pub bytes_per_particle: Option<f64>,
+    /// Seconds to write one checkpoint; none for a body that has none.
+    pub checkpoint_seconds: Option<f64>,
     /// One and two threads.
     pub runs: Vec<Run>,
     /// Rate of two threads over that of one.
@@ -59,8 +48,8 @@ pub struct Run {
     pub rate: f64,
     /// All steps, 1e6 particle-steps/s.
     pub mean_rate: f64,
-    /// All steps by processor time of all threads, 1e6 particle-steps/s; 0 where the system does not tell.
-    pub rate_per_processor_second: f64,
+    /// All steps by processor time of all threads, 1e6 particle-steps/s; none where the system does not tell.
+    pub rate_per_processor_second: Option<f64>,
     /// Evaluations of a pair in the fastest block, 1e6/s.
     pub pair_rate: f64,
     /// Operations on pairs in the fastest block, 1e9/s.
@@ -92,17 +81,19 @@ pub(super) fn pool(threads: usize) -> Result<ThreadPool, BenchError> {
 /// If it cannot be built or advanced, or if the number of threads changes a bit of the result.
 pub(super) fn measure(workload: &Workload, size: usize) -> Result<Measurement, BenchError> {
     let before = resident_memory();
-    let mut world = (workload.build)(size)?;
-    let particles = world.bodies.iter().map(|b| count(&b.body)).sum();
+    let mut subject = (workload.build)(size)?;
+    let particles = subject.particles();
     let single = pool(1)?;
-    single.install(|| advance(&mut world, WARM_UP))?;
-    let bytes = (resident_memory() - before).max(0.0) / particles as f64;
-    let start = world.clone();
+    single.install(|| advance(subject.as_mut(), workload.warm_up))?;
+    let more = resident_memory()
+        .zip(before)
+        .map(|(now, before)| now - before);
+    let bytes = more.map(|m| m.max(0.0) / particles as f64);
+    let mut again = subject.duplicate();
     let steps = workload.steps;
-    let first = single.install(|| timed(&mut world, steps, 1, particles))?;
-    let mut again = start;
-    let second = pool(2)?.install(|| timed(&mut again, steps, 2, particles))?;
-    if !same_bits(&world, &again) {
+    let first = single.install(|| timed(subject.as_mut(), steps, 1, particles))?;
+    let second = pool(2)?.install(|| timed(again.as_mut(), steps, 2, particles))?;
+    if subject.state()? != again.state()? {
         return Err(BenchError::OtherBits {
             name: workload.name.to_owned(),
             threads: 2,
@@ -112,128 +103,65 @@ pub(super) fn measure(workload: &Workload, size: usize) -> Result<Measurement, B
         name: workload.name.to_owned(),
         description: workload.description.to_owned(),
         particles,
-        pairs: world.bodies.iter().map(|b| pairs(&b.body)).sum(),
+        pairs: subject.work().iter().map(|w| w.pairs).sum(),
         steps,
         bytes_per_particle: bytes,
-        checkpoint_seconds: write_checkpoint(&world)?,
+        checkpoint_seconds: subject.write_checkpoint()?,
         two_over_one: second.rate / first.rate,
         runs: vec![first, second],
         target: workload.target,
     })
 }
 
-fn advance(world: &mut World, steps: usize) -> Result<f64, BenchError> {
+fn advance(subject: &mut dyn Subject, steps: usize) -> Result<f64, BenchError> {
     let mut searching = 0.0;
     for _ in 0..steps {
-        let begun = Instant::now();
-        let (dt, _) = world.stable_time_step();
-        searching += begun.elapsed().as_secs_f64();
-        world.advance(dt)?;
+        searching += subject.step()?;
     }
     Ok(searching)
 }
 
 fn timed(
-    world: &mut World,
+    subject: &mut dyn Subject,
     steps: usize,
     threads: usize,
     particles: usize,
 ) -> Result<Run, BenchError> {
-    let before = world.phases;
+    let before = subject.phases();
     let (mut fastest, mut all, mut searching) = (f64::INFINITY, 0.0, 0.0);
     let processor = processor_time();
     let per_block = steps.div_ceil(BLOCKS);
     for _ in 0..BLOCKS {
         let begun = Instant::now();
-        searching += advance(world, per_block)?;
+        searching += advance(subject, per_block)?;
         let seconds = begun.elapsed().as_secs_f64();
         fastest = f64::min(fastest, seconds);
         all += seconds;
     }
-    let processor = processor_time() - processor;
+    let processor = processor_time()
+        .zip(processor)
+        .map(|(now, then)| now - then);
     let million = |steps: usize, seconds: f64| 1e-6 * (particles * steps) as f64 / seconds;
-    let bodies = || world.bodies.iter().map(|b| &b.body);
-    let evaluations: usize = bodies().map(|b| pairs(b) * sums(b)).sum();
-    let operations: f64 = bodies().map(|b| pairs(b) as f64 * operations(b)).sum();
+    let work = subject.work();
+    let evaluations: usize = work.iter().map(|w| w.pairs * w.sums).sum();
+    let operations: f64 = work.iter().map(|w| w.pairs as f64 * w.operations).sum();
+    let after = subject.phases();
     let mut phases = Map::new();
     let mut share = |name: &str, seconds: f64| phases.insert(name.into(), (seconds / all).into());
     for phase in Phase::ALL {
-        share(
-            phase.name(),
-            world.phases.seconds(phase) - before.seconds(phase),
-        );
+        share(phase.name(), after.seconds(phase) - before.seconds(phase));
     }
     share("time_step", searching);
-    let per_processor_second = million(per_block * BLOCKS, processor);
     Ok(Run {
         threads,
         rate: million(per_block, fastest),
         mean_rate: million(per_block * BLOCKS, all),
-        rate_per_processor_second: if per_processor_second.is_finite() {
-            per_processor_second
-        } else {
-            0.0
-        },
+        rate_per_processor_second: processor
+            .filter(|seconds| *seconds > 0.0)
+            .map(|seconds| million(per_block * BLOCKS, seconds)),
         pair_rate: 1e-6 * (evaluations * per_block) as f64 / fastest,
         operation_rate: 1e-9 * operations * per_block as f64 / fastest,
         seconds: all,
         phases,
     })
-}
-
-fn count(body: &Body) -> usize {
-    match body {
-        Body::Fluid(f) => f.len(),
-        Body::Solid(s) => s.len(),
-    }
-}
-
-fn pairs(body: &Body) -> usize {
-    match body {
-        Body::Fluid(f) => Neighbours::build(&f.position, &f.smoothing_length, f.len(), 0.0).pairs(),
-        Body::Solid(s) => s.reference.pairs(),
-    }
-}
-
-fn sums(body: &Body) -> usize {
-    match body {
-        Body::Fluid(_) => LIQUID_SUMS,
-        Body::Solid(_) => SOLID_SUMS,
-    }
-}
-
-fn operations(body: &Body) -> f64 {
-    match body {
-        Body::Fluid(_) => LIQUID_OPERATIONS,
-        Body::Solid(_) => SOLID_OPERATIONS,
-    }
-}
-
-fn same_bits(a: &World, b: &World) -> bool {
-    let bits = |world: &World| -> Vec<u64> {
-        let of_body = |body: &Body| match body {
-            Body::Fluid(f) => [f.position.concat(), f.velocity.concat()].concat(),
-            Body::Solid(s) => [s.state.position.concat(), s.state.velocity.concat()].concat(),
-        };
-        let all = world.bodies.iter().flat_map(|b| of_body(&b.body));
-        all.map(f64::to_bits).collect()
-    };
-    bits(a) == bits(b)
-}
-
-/// Seconds to write one checkpoint into a folder that goes away again.
-fn write_checkpoint(world: &World) -> Result<f64, BenchError> {
-    let folder = tempfile::tempdir().map_err(|e| BenchError::Folder(e.to_string()))?;
-    let begun = Instant::now();
-    let mut checkpoint = Checkpoint::new(CheckpointMeta {
-        code_version: env!("CARGO_PKG_VERSION").to_owned(),
-        case_hash: String::new(),
-        time: world.time,
-        step: world.step,
-        extra: Value::Null,
-    });
-    store_state(world, &mut checkpoint)?;
-    let written = CheckpointStore::new(folder.path()).write(&checkpoint);
-    written.map_err(|e| BenchError::Folder(e.to_string()))?;
-    Ok(begun.elapsed().as_secs_f64())
 }

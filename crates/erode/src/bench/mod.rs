@@ -6,17 +6,19 @@
 mod machine;
 mod measure;
 mod peak;
+mod subject;
 mod table;
 mod workloads;
 
 pub use machine::Machine;
 pub use measure::{Measurement, Run};
 pub use table::text;
-pub use workloads::{ABSENT, ALL, Workload};
+pub use workloads::{ALL, Workload};
 
 use crate::case::CaseErrors;
 use crate::run::RunError;
 use erode_sph::solid::SolidError;
+use erode_sph::solid::space::SpaceError;
 use erode_sph::world::WorldError;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -36,6 +38,9 @@ pub enum BenchError {
     /// A solid could not be built.
     #[error("the solid of the workload could not be built: {0}")]
     Solid(#[from] SolidError),
+    /// A solid in three dimensions could not be built or advanced.
+    #[error("the solid in three dimensions: {0}")]
+    Space(#[from] SpaceError),
     /// A step failed.
     #[error("a step of the workload failed: {0}")]
     Step(#[from] WorldError),
@@ -80,8 +85,6 @@ pub struct Outcome {
     pub machine: Machine,
     /// One entry per workload.
     pub workloads: Vec<Measurement>,
-    /// What a complete list would have and this version lacks.
-    pub absent: Vec<String>,
 }
 
 /// Names of all workloads.
@@ -133,6 +136,5 @@ pub fn run(workload: &Workload, particles: Option<usize>) -> Result<Outcome, Ben
             particles.unwrap_or(workload.particles),
         )?],
         machine: Machine::here()?,
-        absent: ABSENT.map(str::to_owned).to_vec(),
     })
 }

@@ -14,20 +14,20 @@ pub fn text(outcome: &Outcome) -> String {
     for w in &outcome.workloads {
         write_workload(&mut text, m, w);
     }
-    for what in &outcome.absent {
-        let _ = writeln!(text, "\nnot measured: {what}");
-    }
     text
 }
 
 fn write_workload(text: &mut String, machine: &Machine, w: &Measurement) {
     let neighbours = w.pairs as f64 / w.particles as f64;
+    let checkpoint =
+        (w.checkpoint_seconds).map_or_else(String::new, |s| format!("; one checkpoint {s:.2} s"));
     let _ = writeln!(text, "\n{}: {}", w.name, w.description);
     let _ = writeln!(
         text,
-        "  {} particles, {neighbours:.1} neighbours each, {} steps; resident memory {:.0} bytes per particle; \
-         one checkpoint {:.2} s",
-        w.particles, w.steps, w.bytes_per_particle, w.checkpoint_seconds
+        "  {} particles, {neighbours:.1} neighbours each, {} steps; resident memory {} bytes per particle{checkpoint}",
+        w.particles,
+        w.steps,
+        known(w.bytes_per_particle, 0),
     );
     let _ = writeln!(
         text,
@@ -44,6 +44,11 @@ fn write_workload(text: &mut String, machine: &Machine, w: &Measurement) {
     let _ = writeln!(text, "  2 threads over 1: {:.2}{asked}", w.two_over_one);
 }
 
+/// A number, or a dash where it is not known.
+fn known(value: Option<f64>, digits: usize) -> String {
+    value.map_or("-".into(), |x| format!("{x:.digits$}"))
+}
+
 fn line(machine: &Machine, run: &Run) -> String {
     let peak = if run.threads == 1 {
         machine.peak_one_thread
@@ -56,13 +61,26 @@ fn line(machine: &Machine, run: &Run) -> String {
         .map(|(name, share)| format!("{} {:.0} %", name.replace('_', " "), 100.0 * share))
         .collect();
     format!(
-        "  {:7}  {:9.2}  {:5.2}  {:9.2}  {:9.1}  {:5.1} %   {}",
+        "  {:7}  {:9.2}  {:5.2}  {:>9}  {:9.1}  {:5.1} %   {}",
         run.threads,
         run.rate,
         run.mean_rate,
-        run.rate_per_processor_second,
+        known(run.rate_per_processor_second, 2),
         run.pair_rate,
         100.0 * run.operation_rate / peak,
         phases.join(", ")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_known_is_a_dash_and_no_zero() {
+        assert_eq!(
+            [known(Some(0.0), 0), known(Some(1.25), 1), known(None, 0)],
+            ["0", "1.2", "-"]
+        );
+    }
 }

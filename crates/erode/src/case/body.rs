@@ -2,7 +2,7 @@
 
 use super::{
     error::{Findings, Span},
-    laws,
+    laws, layers,
     node::{Fields, Node},
     simulation::{Body, BodyKind, Fluid, Side, Sides, Solid, Wave},
 };
@@ -19,6 +19,8 @@ pub(crate) struct Built {
     pub(crate) resolution: Span,
     /// Left, right, bottom, top.
     pub(crate) sides: [Span; 4],
+    /// The layers of a solid.
+    pub(crate) layers: Span,
     /// Each hole.
     pub(crate) holes: Vec<Span>,
 }
@@ -32,6 +34,7 @@ impl Built {
             at: setup,
             resolution,
             sides: [setup; 4],
+            layers: setup,
             holes,
         }
     }
@@ -77,6 +80,7 @@ pub(crate) fn read(
         at,
         resolution,
         sides: side_spans,
+        layers: f.table("solid").map_or(at, |s| s.at("layers")),
         holes: hole_spans,
     })
 }
@@ -93,10 +97,12 @@ fn kind(f: Fields<'_>, library: &Library, findings: &mut Findings) -> Option<Bod
         }));
     }
     let solid = f.table("solid")?;
+    let layers = layers::read(solid, "layers", library, findings);
     let (density, elastic, strength) =
         laws::solid(solid, "material", Some(solid), library, findings)?;
     Some(BodyKind::Solid(Solid {
         material: solid.text("material")?.to_owned(),
+        layers: layers?,
         density,
         elastic,
         strength,

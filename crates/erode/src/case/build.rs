@@ -9,7 +9,7 @@ use super::{
     node::{Fields, Node},
     relations,
     setups::{self, Expansion},
-    simulation::{Bubble, Output, Probe, Run, Simulation},
+    simulation::{Bubble, BubbleGas, Output, Probe, Run, Simulation},
 };
 use crate::materials::Library;
 use erode_sph::Geometry;
@@ -223,6 +223,17 @@ fn loads(
     }
 }
 
+/// Gas of a bubble, if it has any; nothing if it is wrong.
+pub(crate) fn gas(f: Fields<'_>) -> Option<Option<BubbleGas>> {
+    let Some(gas) = f.table("gas") else {
+        return Some(None);
+    };
+    Some(Some(BubbleGas {
+        pressure: gas.number("pressure")?,
+        polytropic_exponent: gas.number("polytropic_exponent")?,
+    }))
+}
+
 fn own_bubble(
     f: Fields<'_>,
     bodies: &[Built],
@@ -251,7 +262,9 @@ fn own_bubble(
         radius: b.number("radius")?,
         wall_distance,
         driving_pressure: b.number("driving_pressure")?,
+        gas: gas(b)?,
     };
+    relations::check_gas(&bubble, bodies, b.at("gas"), findings);
     if complete {
         relations::check_bubble(&bubble, bodies, b.at("centre"), findings);
     }

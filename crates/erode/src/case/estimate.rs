@@ -86,7 +86,10 @@ pub fn particles(body: &Body, geometry: Geometry) -> f64 {
 fn wave_speed(body: &Body, simulation: &Simulation) -> f64 {
     match &body.kind {
         BodyKind::Solid(s) => {
-            s.elastic.longitudinal_speed(s.density) + s.velocity[0].hypot(s.velocity[1])
+            let layers = s.layers.iter();
+            let layers = layers.map(|l| l.elastic.longitudinal_speed(l.density));
+            let own = s.elastic.longitudinal_speed(s.density);
+            layers.fold(own, f64::max) + s.velocity[0].hypot(s.velocity[1])
         }
         BodyKind::Fluid(f) => {
             let waves = super::body::named(&body.sides).map(|(_, side)| match side {

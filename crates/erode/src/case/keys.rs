@@ -1,7 +1,7 @@
 //! The keys of a case file. This is the only list of them.
 
 use super::{
-    keys_body::{BODY, FLUID_FORMULATION, SOLID_FORMULATION},
+    keys_body::{BODY, FLUID_FORMULATION, LAYER, SOLID_FORMULATION},
     keys_bubbles::SINGLE_BUBBLE,
     keys_cloud::BUBBLE_CLOUD,
     keys_damage::DAMAGE,
@@ -166,7 +166,17 @@ static BUBBLE_NEAR_WALL: Table = table(
             "resolution: radius / finest particle spacing",
         ),
         required("liquid", Text, "material of the liquid"),
+        optional(
+            "gas",
+            Nested(&GAS),
+            "gas in the bubble, in balance with the liquid until the step arrives; empty when absent",
+        ),
         required("wall", Text, "material of the wall"),
+        optional(
+            "wall_layers",
+            List(&LAYER),
+            "layers of other materials on the wall, the first one uppermost",
+        ),
         default(
             "coarsening",
             Quantity(NUMBER, Within(1.0, 32.0)),
@@ -238,6 +248,7 @@ static BUBBLE_IN_LIQUID: Table = table(
             "resolution: radius / finest particle spacing",
         ),
         required("liquid", Text, "material of the liquid"),
+        optional("gas", Nested(&GAS), "gas in the bubble; empty when absent"),
         default(
             "coarsening",
             Quantity(NUMBER, Within(1.0, 32.0)),
@@ -259,6 +270,24 @@ static BUBBLE_IN_LIQUID: Table = table(
     ],
 );
 
+/// Gas in the cavity at the start.
+static GAS: Table = table(
+    "gas in the bubble, of uniform pressure that follows its volume: p V^k is constant in each piece of it",
+    &[
+        required(
+            "pressure",
+            Quantity(PRESSURE, Positive),
+            "pressure at the start",
+        ),
+        default(
+            "polytropic_exponent",
+            Quantity(NUMBER, Within(1.0, 5.0 / 3.0)),
+            "1.4",
+            "k: 1 isothermal, 1.4 adiabatic for air",
+        ),
+    ],
+);
+
 static BUBBLE: Table = table(
     "the empty cavity at the start",
     &[
@@ -274,6 +303,7 @@ static BUBBLE: Table = table(
             Quantity(PRESSURE, Positive),
             "pressure that drives the collapse",
         ),
+        optional("gas", Nested(&GAS), "gas in it; empty when absent"),
     ],
 );
 

@@ -131,10 +131,60 @@ static JOSHI_FLUID: Table = table(
     ],
 );
 
+/// Layers of other materials at the top of a solid; also in setups.
+pub(crate) static LAYER: Table = table(
+    "a layer of another material, a coating; the first of a list lies at the top",
+    &[
+        required(
+            "thickness",
+            Quantity(LENGTH, Positive),
+            "thickness, at least one particle spacing",
+        ),
+        required("material", Text, "name in the material library"),
+        optional(
+            "density",
+            Property(DENSITY, Positive),
+            "density; replaces the material's",
+        ),
+        optional(
+            "elastic",
+            Nested(&ELASTIC),
+            "constants that replace those of the material",
+        ),
+        optional(
+            "strength",
+            Nested(&STRENGTH),
+            "yield law that replaces that of the material",
+        ),
+        optional(
+            "damage",
+            Nested(&DAMAGE),
+            "law by which the layer fails; constants not given are the material's, without this key it never fails",
+        ),
+        default(
+            "strain_rate",
+            Switch,
+            "true",
+            "whether the yield stress grows with the strain rate",
+        ),
+        default(
+            "thermal_softening",
+            Switch,
+            "false",
+            "whether the yield stress falls as plastic work heats the layer",
+        ),
+    ],
+);
+
 static SOLID: Table = table(
     "an elastic-plastic solid",
     &[
         required("material", Text, "name in the material library"),
+        optional(
+            "layers",
+            List(&LAYER),
+            "layers of other materials at the top, the first one uppermost",
+        ),
         optional(
             "density",
             Property(DENSITY, Positive),

@@ -1,10 +1,10 @@
 //! The keys of loads on solids: `[indenter]`, `[[pressure]]`, `[settling]`, and the setups made of them.
 
 use super::{
-    keys_body::SOLID_FORMULATION,
+    keys_body::{LAYER, SOLID_FORMULATION},
     keys_damage::DAMAGE,
     schema::{
-        Kind::{Count, Quantity, Switch, Table as Nested, Text},
+        Kind::{Count, List, Quantity, Switch, Table as Nested, Text},
         Range::{Any, NotNegative, Positive, Within},
         Table, default, optional, required, table,
     },
@@ -118,6 +118,11 @@ pub(crate) static INDENTATION: Table = table(
     "a rigid sphere or cylinder pressed slowly into a block and taken away again; the surface is z = 0",
     &[
         required("material", Text, "material of the block"),
+        optional(
+            "layers",
+            List(&LAYER),
+            "layers of other materials at the top, the first one uppermost",
+        ),
         required(
             "radius",
             Quantity(LENGTH, Positive),
@@ -186,6 +191,11 @@ pub(crate) static PRESSURE_PULSE: Table = table(
     "a block hit by a Gaussian pressure in space and time, as of a cavitation impact; the surface is z = 0",
     &[
         required("material", Text, "material of the block"),
+        optional(
+            "layers",
+            List(&LAYER),
+            "layers of other materials at the top, the first one uppermost",
+        ),
         required(
             "amplitude",
             Quantity(PRESSURE, Positive),

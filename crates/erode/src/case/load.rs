@@ -60,12 +60,29 @@ impl Case {
                 .filter(|p| p.is_dir()),
         );
         let simulation = read(&file.display().to_string(), &source, overrides, &folders)?;
-        let resolved_toml = resolved::write(&simulation);
         Ok(Loaded {
+            resolved_toml: resolved::write(&simulation),
             simulation,
-            resolved_toml,
             source,
             file,
+        })
+    }
+
+    /// Checks a case that the program has as a text, with the materials of the program.
+    ///
+    /// # Errors
+    /// As for [`Case::load`]; `name` stands for the file.
+    pub(crate) fn load_text(
+        name: &str,
+        text: &str,
+        overrides: &[String],
+    ) -> Result<Loaded, CaseErrors> {
+        let simulation = Self::parse(name, text, overrides)?;
+        Ok(Loaded {
+            resolved_toml: resolved::write(&simulation),
+            simulation,
+            source: text.to_owned(),
+            file: name.into(),
         })
     }
 

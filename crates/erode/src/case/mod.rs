@@ -16,7 +16,7 @@ mod cloud_flow;
 pub(crate) mod error;
 pub mod estimate;
 mod json_schema;
-mod keys;
+pub(crate) mod keys;
 mod keys_body;
 mod keys_bubbles;
 mod keys_cloud;
@@ -25,6 +25,7 @@ mod keys_load;
 pub(crate) mod keys_material;
 mod keys_region;
 mod laws;
+mod layers;
 pub(crate) mod load;
 mod loads;
 pub(crate) mod node;
@@ -50,6 +51,6 @@ pub use json_schema::json_schema;
 pub use load::{Case, Loaded};
 pub use loads::{Indenter, Loads, Pressure, Ramp, Settling};
 pub use simulation::{
-    Body, BodyKind, Bubble, Fluid, FluidFormulation, Output, Probe, Refinement, Run, Side, Sides,
-    Simulation, Solid, SolidFormulation, Wave,
+    Body, BodyKind, Bubble, BubbleGas, Fluid, FluidFormulation, Output, Probe, Refinement, Run,
+    Side, Sides, Simulation, Solid, SolidFormulation, Wave,
 };

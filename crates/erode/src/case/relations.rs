@@ -3,7 +3,8 @@
 use super::{
     body::{Built, named},
     error::{Findings, Span},
-    simulation::{BodyKind, Bubble, Probe, Side},
+    layers,
+    simulation::{BodyKind, Bubble, FluidFormulation, Probe, Side},
     suggest::did_you_mean,
 };
 use erode_sph::{Geometry, shapes::Shape};
@@ -20,6 +21,7 @@ pub(crate) fn check(bodies: &[Built], complete: bool, geometry: Geometry, findin
         }
         check_fill(b, geometry, findings);
         check_holes(b, findings);
+        layers::check(b, findings);
         if complete {
             check_interfaces(b, bodies, findings);
         }
@@ -242,6 +244,18 @@ pub(crate) fn check_probe(
     if b.body.shape.distance(probe.position) > 0.5 * b.body.spacing.finest {
         let message = format!("the probe `{}` lies outside `{}`", probe.name, probe.body);
         findings.error(position_at, message, "outside", extent_help(b));
+    }
+}
+
+/// The published form of the liquid has no place for gas.
+pub(crate) fn check_gas(bubble: &Bubble, bodies: &[Built], at: Span, findings: &mut Findings) {
+    let published = bodies.iter().any(|b| {
+        matches!(&b.body.kind, BodyKind::Fluid(f) if matches!(f.formulation, FluidFormulation::Joshi { .. }))
+    });
+    if bubble.gas.is_some() && published {
+        let help = "leave `gas` out for an empty bubble, or the formulation for the usual one";
+        let message = "the published form of the liquid has no gas in its bubble";
+        findings.error(at, message, "not with this form", help);
     }
 }
 

@@ -7,8 +7,8 @@ use super::{
     resolved::{Item, Items},
     resolved_loads::load_items,
     simulation::{
-        Body, BodyKind, Bubble, Fluid, FluidFormulation, Probe, Side, Sides, Simulation, Solid,
-        SolidFormulation,
+        Body, BodyKind, Bubble, Fluid, FluidFormulation, Layer, Probe, Side, Sides, Simulation,
+        Solid, SolidFormulation,
     },
 };
 use erode_physics::damage::Damage;
@@ -92,6 +92,13 @@ fn bubble_items(b: &Bubble) -> Items {
     ];
     items.extend(b.wall_distance.map(|d| ("wall_distance", Item::Number(d))));
     items.push(("driving_pressure", Item::Number(b.driving_pressure)));
+    items.extend(b.gas.map(|g| {
+        let gas = vec![
+            ("pressure", Item::Number(g.pressure)),
+            ("polytropic_exponent", Item::Number(g.polytropic_exponent)),
+        ];
+        ("gas", Item::Table(gas))
+    }));
     items
 }
 
@@ -246,25 +253,50 @@ fn solid_items(s: &Solid) -> Items {
             ],
         ),
     };
-    let thermal = matches!(
-        s.strength,
-        Strength::JohnsonCook(JohnsonCook {
-            thermal: Some(_),
-            ..
-        })
-    );
     let mut items = vec![
         ("material", Item::Text(s.material.clone())),
         ("density", Item::Number(s.density)),
         ("elastic", Item::Table(elastic)),
         ("strength", strength_item(&s.strength)),
         ("strain_rate", Item::Switch(true)),
-        ("thermal_softening", Item::Switch(thermal)),
+        ("thermal_softening", Item::Switch(is_thermal(&s.strength))),
         ("velocity", Item::Pair(s.velocity)),
         ("formulation", formulation),
     ];
     items.extend(damage_item(&s.damage).map(|d| ("damage", d)));
+    if !s.layers.is_empty() {
+        let layers = s.layers.iter().map(layer_items).collect();
+        items.push(("layers", Item::List(layers)));
+    }
     items
+}
+
+fn layer_items(l: &Layer) -> Items {
+    let elastic = vec![
+        ("young_modulus", Item::Number(l.elastic.young_modulus)),
+        ("poisson_ratio", Item::Number(l.elastic.poisson_ratio)),
+    ];
+    let mut items = vec![
+        ("thickness", Item::Number(l.thickness)),
+        ("material", Item::Text(l.material.clone())),
+        ("density", Item::Number(l.density)),
+        ("elastic", Item::Table(elastic)),
+        ("strength", strength_item(&l.strength)),
+        ("strain_rate", Item::Switch(true)),
+        ("thermal_softening", Item::Switch(is_thermal(&l.strength))),
+    ];
+    items.extend(damage_item(&l.damage).map(|d| ("damage", d)));
+    items
+}
+
+fn is_thermal(strength: &Strength) -> bool {
+    matches!(
+        strength,
+        Strength::JohnsonCook(JohnsonCook {
+            thermal: Some(_),
+            ..
+        })
+    )
 }
 
 fn damage_item(damage: &Damage) -> Option<Item> {

@@ -94,6 +94,20 @@ impl Range {
 }
 
 impl Table {
+    /// The dimension of the number or pair at `path.to.key`, as `--set` has it; none for texts, switches, counts, and for
+    /// what is no key.
+    pub(crate) fn dimension(&'static self, path: &str) -> Option<Dimension> {
+        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+        match self.key(first)?.kind {
+            Kind::Quantity(d, _) | Kind::Pair(d) if rest.is_empty() => Some(d),
+            Kind::Property(d, _) if matches!(rest, "" | "value") => Some(d),
+            Kind::Table(table) => table.dimension(rest),
+            // The next part is the name or number of the element.
+            Kind::List(table) | Kind::Map(table) => table.dimension(rest.split_once('.')?.1),
+            _ => None,
+        }
+    }
+
     pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys.iter().find(|k| k.name == name)
     }

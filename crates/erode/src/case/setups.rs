@@ -2,12 +2,13 @@
 
 use super::{
     body::Built,
+    build,
     error::Findings,
-    laws,
+    laws, layers,
     loads::Loads,
     node::Fields,
     setups_solid,
-    simulation::{Body, BodyKind, Bubble, Fluid, Side, Sides, Solid, Wave},
+    simulation::{Body, BodyKind, Bubble, BubbleGas, Fluid, Side, Sides, Solid, Wave},
 };
 use crate::materials::Library;
 use erode_physics::eos::Tait;
@@ -84,8 +85,9 @@ impl NearWall {
 
     fn liquid(&self, kind: Fluid, axis: Side) -> Body {
         let (r, d) = (self.radius, self.distance);
+        let at_rest = kind.pressure;
         let wave = Wave {
-            pressure: self.pressure,
+            pressure: self.pressure - at_rest,
             start: 0.0,
         };
         Body {
@@ -107,7 +109,7 @@ impl NearWall {
                     with: "wall".to_owned(),
                 },
                 top: Side::NonReflecting {
-                    pressure: 0.0,
+                    pressure: at_rest,
                     wave: Some(wave),
                 },
             },
@@ -159,19 +161,22 @@ fn bubble_near_wall(
 ) -> Option<Expansion> {
     // All of these are asked before the first one that fails ends the expansion: each records its errors.
     let numbers = NearWall::read(f, findings);
+    let gas = build::gas(f)?;
     let eos = laws::fluid(f, "liquid", None, library, findings);
     let solid = laws::solid(f, "wall", None, library, findings);
     let damage = laws::damage(f, "wall", library, findings);
+    let layers = layers::read(f, "wall_layers", library, findings);
     let (n, eos, (density, elastic, strength)) = (numbers?, eos?, solid?);
     let fluid = Fluid {
         material: f.text("liquid")?.to_owned(),
         eos,
         formulation: laws::fluid_formulation(f, "liquid_formulation")?,
-        pressure: 0.0,
+        pressure: gas.map_or(0.0, |g| g.pressure),
         velocity: [0.0; 2],
     };
     let solid = Solid {
         material: f.text("wall")?.to_owned(),
+        layers: layers?,
         density,
         elastic,
         strength,
@@ -179,12 +184,17 @@ fn bubble_near_wall(
         formulation: laws::solid_formulation(f, "wall_formulation")?,
         velocity: [0.0; 2],
     };
-    let place = |body| Built::of_setup(body, f.span, f.at("particles_per_radius"));
+    let place = |body| Built {
+        layers: f.at("wall_layers"),
+        ..Built::of_setup(body, f.span, f.at("particles_per_radius"))
+    };
     let standoff = n.distance / n.radius;
     Some(Expansion {
         title: format!(
-            "empty bubble, stand-off {standoff:.3}, {} next to {}",
-            fluid.material, solid.material
+            "{} bubble, stand-off {standoff:.3}, {} next to {}",
+            filling(gas),
+            fluid.material,
+            solid.material
         ),
         end_time: n.end_time(&eos),
         bubble: Some(Bubble {
@@ -192,6 +202,7 @@ fn bubble_near_wall(
             radius: n.radius,
             wall_distance: Some(n.distance),
             driving_pressure: n.pressure,
+            gas,
         }),
         loads: Loads::default(),
         bodies: vec![
@@ -210,6 +221,7 @@ fn bubble_in_liquid(
     check_inside(f, "domain", "surface of the bubble", findings);
     let eos = laws::fluid(f, "liquid", None, library, findings)?;
     let (radius, pressure) = (f.number("radius")?, f.number("pressure")?);
+    let gas = build::gas(f)?;
     let spacing = radius / f.number("particles_per_radius")?;
     let extent = f.number("domain")? * radius;
     let fluid = Fluid {
@@ -219,7 +231,11 @@ fn bubble_in_liquid(
         pressure,
         velocity: [0.0; 2],
     };
-    let title = format!("empty bubble in {} far from walls", fluid.material);
+    let title = format!(
+        "{} bubble in {} far from walls",
+        filling(gas),
+        fluid.material
+    );
     let coarsest = f.number("coarsening")? * spacing;
     let body = ball_of_liquid(
         fluid,
@@ -230,17 +246,26 @@ fn bubble_in_liquid(
     );
     Some(Expansion {
         title,
-        // An empty bubble closes at the Rayleigh time, a little later in a compressible liquid.
-        end_time: 1.1 * RAYLEIGH * radius * (eos.reference_density / pressure).sqrt(),
+        // An empty bubble closes at the Rayleigh time, a little later in a compressible liquid; with gas it comes back.
+        end_time: gas.map_or(1.1, |_| 2.4)
+            * RAYLEIGH
+            * radius
+            * (eos.reference_density / pressure).sqrt(),
         bubble: Some(Bubble {
             centre: [0.0, 0.0],
             radius,
             wall_distance: None,
             driving_pressure: pressure,
+            gas,
         }),
         loads: Loads::default(),
         bodies: vec![Built::of_setup(body, f.span, f.at("particles_per_radius"))],
     })
+}
+
+/// What is in the bubble, for titles.
+fn filling(gas: Option<BubbleGas>) -> &'static str {
+    gas.map_or("empty", |_| "gas")
 }
 
 /// Liquid about a bubble at (0, 0), going on without end.

@@ -3,7 +3,7 @@
 use super::{
     body::Built,
     error::Findings,
-    laws,
+    laws, layers,
     loads::{Indenter, Loads, Pressure, Ramp, Settling},
     node::Fields,
     setups::{Expansion, GROWTH, symmetry},
@@ -21,9 +21,11 @@ const DAMPING: f64 = 5e6;
 const BLOCK: &str = "block";
 
 fn solid(f: Fields<'_>, library: &Library, findings: &mut Findings) -> Option<Solid> {
+    let layers = layers::read(f, "layers", library, findings);
     let (density, elastic, strength) = laws::solid(f, "material", None, library, findings)?;
     Some(Solid {
         material: f.text("material")?.to_owned(),
+        layers: layers?,
         density,
         elastic,
         strength,
@@ -110,7 +112,10 @@ pub(super) fn indentation(
     };
     Some(Expansion {
         title,
-        bodies: vec![Built::of_setup(body, f.span, f.at("spacing"))],
+        bodies: vec![Built {
+            layers: f.at("layers"),
+            ..Built::of_setup(body, f.span, f.at("spacing"))
+        }],
         bubble: None,
         loads,
         end_time: ramp.rise + ramp.hold + ramp.fall * 1.5,
@@ -167,7 +172,10 @@ pub(super) fn pressure_pulse(
     };
     Some(Expansion {
         title,
-        bodies: vec![Built::of_setup(body, f.span, f.at("particles_per_radius"))],
+        bodies: vec![Built {
+            layers: f.at("layers"),
+            ..Built::of_setup(body, f.span, f.at("particles_per_radius"))
+        }],
         bubble: None,
         loads,
         end_time: 2.0 * peak_time + 3.0 * transit,

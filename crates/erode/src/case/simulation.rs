@@ -83,6 +83,18 @@ pub struct Bubble {
     pub wall_distance: Option<f64>,
     /// Pressure that drives the collapse, Pa.
     pub driving_pressure: f64,
+    /// Gas in it; empty without.
+    #[serde(default)]
+    pub gas: Option<BubbleGas>,
+}
+
+/// Gas in the cavity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BubbleGas {
+    /// Pressure at the start, Pa.
+    pub pressure: f64,
+    /// Exponent k in p V^k = constant.
+    pub polytropic_exponent: f64,
 }
 
 /// A region filled with particles of one material.
@@ -170,11 +182,31 @@ pub struct Refinement {
     pub smallest: f64,
 }
 
+/// A layer of another material at the top of a solid.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Layer {
+    /// Thickness, m.
+    pub thickness: f64,
+    /// Name in the material library.
+    pub material: String,
+    /// Density at rest, kg/m3.
+    pub density: f64,
+    /// Elastic constants.
+    pub elastic: Elastic,
+    /// Yield law.
+    pub strength: Strength,
+    /// When it fails.
+    pub damage: Damage,
+}
+
 /// An elastic-plastic solid.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solid {
-    /// Name in the material library.
+    /// Name in the material library; of what lies below the layers.
     pub material: String,
+    /// Layers of other materials at the top, the first one uppermost.
+    #[serde(default)]
+    pub layers: Vec<Layer>,
     /// Density at rest, kg/m3.
     pub density: f64,
     /// Elastic constants.

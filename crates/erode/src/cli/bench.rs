@@ -2,7 +2,8 @@
 
 use super::{
     args::BenchArgs,
-    failure::{FAILED, Failure, Outcome as Ended},
+    failure::{Failure, Outcome as Ended},
+    json,
     say::say,
 };
 use erode::bench::{self, Outcome, Workload};
@@ -22,13 +23,8 @@ pub(crate) fn run(args: &BenchArgs) -> Ended {
     } else {
         each_alone(&chosen, args)?
     };
-    if let Some(file) = &args.json {
-        let text = serde_json::to_string_pretty(&outcome).map_err(|e| failed(&e))?;
-        let unwritten = |e| failed(&format!("{} cannot be written: {e}", file.display()));
-        std::fs::write(file, text + "\n").map_err(unwritten)?;
-    }
     say!("{}", bench::text(&outcome));
-    Ok(())
+    json::write_and_end(args.json.as_deref(), &outcome, Ok(()))
 }
 
 fn list() {
@@ -38,9 +34,6 @@ fn list() {
     for w in &bench::ALL {
         let star = if w.usual { '*' } else { ' ' };
         say!("{star} {:22} {}", w.name, w.description);
-    }
-    for what in bench::ABSENT {
-        say!("  not there: {what}");
     }
 }
 
@@ -66,16 +59,18 @@ fn alone(workload: &Workload, particles: Option<u32>, file: &Path) -> Result<Out
     }
     let output = command.output().map_err(|e| failed(&e))?;
     if !output.status.success() {
-        return Err(failed(&String::from_utf8_lossy(&output.stderr)));
+        // It has said already that it failed, and why.
+        let said = String::from_utf8_lossy(&output.stderr);
+        let said = said.trim().trim_start_matches("error: ");
+        return Err(Failure::failed(
+            format!("workload {}: {said}", workload.name),
+            "",
+        ));
     }
     let text = std::fs::read_to_string(file).map_err(|e| failed(&e))?;
     serde_json::from_str(&text).map_err(|e| failed(&e))
 }
 
 fn failed(e: &dyn std::fmt::Display) -> Failure {
-    Failure::Other {
-        code: FAILED,
-        message: format!("the benchmark failed: {e}"),
-        help: String::new(),
-    }
+    Failure::failed(format!("the benchmark failed: {e}"), "")
 }

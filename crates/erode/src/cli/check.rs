@@ -7,7 +7,7 @@ use super::{
     say::say,
 };
 use erode::case::{
-    Body, BodyKind, Case, Loaded, Simulation, check_advice,
+    Body, BodyKind, Case, Loaded, Simulation, Solid, check_advice,
     estimate::{Estimate, PARTICLE_STEPS_PER_SECOND, bytes, estimate},
     json_schema,
 };
@@ -194,8 +194,8 @@ fn bodies(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
 
 fn body(b: &Body, particles: f64) -> Vec<String> {
     let (kind, material) = match &b.kind {
-        BodyKind::Fluid(f) => ("liquid", &f.material),
-        BodyKind::Solid(f) => ("solid", &f.material),
+        BodyKind::Fluid(f) => ("liquid", f.material.clone()),
+        BodyKind::Solid(f) => ("solid", layered(f)),
     };
     let (l, u) = b.shape.bounding_box();
     let (finest, coarsest) = (si(b.spacing.finest, "m"), si(b.spacing.coarsest, "m"));
@@ -207,11 +207,18 @@ fn body(b: &Body, particles: f64) -> Vec<String> {
     vec![
         b.name.clone(),
         kind.to_owned(),
-        material.clone(),
+        material,
         format!("{} x {}", si(u[0] - l[0], "m"), si(u[1] - l[1], "m")),
         spacing,
         format!("about {}", count(particles)),
     ]
+}
+
+/// "copper_ofhc 20 um on steel_a2205"
+fn layered(s: &Solid) -> String {
+    let layers = s.layers.iter();
+    let layers = layers.map(|l| format!("{} {} on ", l.material, si(l.thickness, "m")));
+    layers.collect::<String>() + &s.material
 }
 
 fn cost(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {

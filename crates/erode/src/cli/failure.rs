@@ -1,6 +1,7 @@
 //! What a command ends with when it does not end well.
 
 use erode::case::CaseErrors;
+use erode::output::OutputError;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
 use std::{io::IsTerminal, process::ExitCode};
 
@@ -34,7 +35,36 @@ impl From<CaseErrors> for Failure {
     }
 }
 
+impl From<OutputError> for Failure {
+    /// A folder that was badly chosen is wrong input; files that cannot be written or read are a failure.
+    fn from(error: OutputError) -> Self {
+        use OutputError::{Locked, NotAFolder, NotARun, NotWritable, Occupied};
+        let code = match &error {
+            Occupied { .. }
+            | NotAFolder { .. }
+            | NotWritable { .. }
+            | NotARun { .. }
+            | Locked { .. } => WRONG_INPUT,
+            _ => FAILED,
+        };
+        Self::Other {
+            code,
+            message: error.to_string(),
+            help: error.hint(),
+        }
+    }
+}
+
 impl Failure {
+    /// Something that was asked for failed.
+    pub(crate) fn failed(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::Other {
+            code: FAILED,
+            message: message.into(),
+            help: help.into(),
+        }
+    }
+
     /// Something wrong with what was asked.
     pub(crate) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Other {

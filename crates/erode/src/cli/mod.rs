@@ -3,10 +3,14 @@
 mod args;
 mod bench;
 mod check;
+mod environment;
 mod failure;
 mod format;
+mod json;
 mod materials;
+mod names;
 mod new;
+mod progress;
 mod reproduce;
 mod run;
 mod say;
@@ -35,7 +39,7 @@ pub(crate) fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    match dispatch(&cli.command) {
+    match environment::check().and_then(|()| dispatch(&cli.command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }

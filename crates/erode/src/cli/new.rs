@@ -19,7 +19,7 @@ pub(crate) struct Template {
     pub(crate) text: &'static str,
 }
 
-pub(crate) const TEMPLATES: [Template; 8] = [
+pub(crate) const TEMPLATES: [Template; 9] = [
     Template {
         name: "bubble-near-wall",
         about: "a bubble near a steel wall, hit by a pressure step: jet, ring, pit",
@@ -44,6 +44,11 @@ pub(crate) const TEMPLATES: [Template; 8] = [
         name: "pressure-pulse",
         about: "steel hit by a Gaussian pressure in space and time",
         text: include_str!("templates/pressure-pulse.toml"),
+    },
+    Template {
+        name: "coating",
+        about: "coated steel hit by the same: layers of other materials",
+        text: include_str!("../../../../cases/coated-steel/case.toml"),
     },
     Template {
         name: "single-bubble",

@@ -2,15 +2,15 @@
 
 use super::{
     args::ReproduceArgs,
-    failure::{FAILED, Failure, INTERRUPTED, Outcome},
+    failure::{Failure, INTERRUPTED, Outcome},
+    json,
     run::stop_flag,
     say::say,
-    sweep::Screen,
+    sweep::Audience,
 };
 use erode::reproduce::{self, Options, Reproduction, Session};
 use erode::sweep::{self, SweepError};
 use erode::validate;
-use std::path::Path;
 
 /// Lists the reproductions, or computes some and compares them with what the source states.
 pub(crate) fn run(args: &ReproduceArgs) -> Outcome {
@@ -29,26 +29,23 @@ pub(crate) fn run(args: &ReproduceArgs) -> Outcome {
         return Ok(());
     }
     let interrupted = do_runs(&session)?;
-    let (mut missed, mut outcomes) = (0, Vec::new());
+    let (mut missed, mut without, mut outcomes) = (0, 0, Vec::new());
     for r in chosen {
         let reproduced = r.compute(&session, &mut |text| eprintln!("{}: {text}", r.id));
         let outcome = &reproduced.outcome;
         say!("{}", validate::text(outcome).replace(" (full)", ""));
-        let page = reproduce::write(&args.output, &reproduced)
-            .map_err(|e| failed(e.to_string(), e.hint()))?;
-        let verdict = match (outcome.missed(), &outcome.failure) {
-            (_, Some(_)) => "not computed",
-            (0, None) => "met",
-            _ => "not met",
-        };
-        say!("  {}: {verdict}", r.id);
+        let page = reproduce::write(&args.output, &reproduced)?;
+        say!("  {}: {}", r.id, reproduce::verdict(outcome));
         say!("  drawn: {}\n", page.display());
         missed += outcome.missed();
+        without += outcome.without_data();
         outcomes.push(reproduced.outcome);
     }
-    if let Some(file) = &args.json {
-        write_json(file, &outcomes)?;
-    }
+    let ended = conclude(interrupted, missed, without);
+    json::write_and_end(args.json.as_deref(), &outcomes, ended)
+}
+
+fn conclude(interrupted: bool, missed: usize, without: usize) -> Outcome {
     if interrupted {
         return Err(Failure::Other {
             code: INTERRUPTED,
@@ -56,33 +53,20 @@ pub(crate) fn run(args: &ReproduceArgs) -> Outcome {
             help: "the same command goes on".into(),
         });
     }
-    if missed > 0 {
-        let help = "the table above says which, and what is known of the cause".to_owned();
-        return Err(failed(
-            format!("{missed} statement(s) of the source not met"),
-            help,
-        ));
+    let parts = [
+        (missed, "not met"),
+        (without, "not judged for want of data"),
+    ];
+    let parts = parts.iter().filter(|(n, _)| *n > 0);
+    let parts: Vec<String> = parts.map(|(n, what)| format!("{n} {what}")).collect();
+    if parts.is_empty() {
+        return Ok(());
     }
-    Ok(())
-}
-
-fn failed(message: String, help: String) -> Failure {
-    Failure::Other {
-        code: FAILED,
-        message,
+    let help = "the table above says which, and what is known of the cause";
+    Err(Failure::failed(
+        format!("statements of the source: {}", parts.join(", ")),
         help,
-    }
-}
-
-fn write_json(file: &Path, outcomes: &[validate::Outcome]) -> Outcome {
-    let wrong = |e: &dyn std::fmt::Display| {
-        failed(
-            format!("{} cannot be written: {e}", file.display()),
-            String::new(),
-        )
-    };
-    let text = serde_json::to_string_pretty(outcomes).map_err(|e| wrong(&e))?;
-    std::fs::write(file, text + "\n").map_err(|e| wrong(&e))
+    ))
 }
 
 /// The runs that are needed, with their cost.
@@ -95,8 +79,8 @@ fn prepare(args: &ReproduceArgs, chosen: &[Reproduction]) -> Result<Session, Fai
     };
     let session = reproduce::session(chosen, options).map_err(|e| match e {
         SweepError::Case(errors) => errors.into(),
-        SweepError::Output(e) => super::sweep::output(e),
-        SweepError::Changed { .. } => failed(e.to_string(), String::new()),
+        SweepError::Output(e) => e.into(),
+        SweepError::Changed { .. } => Failure::failed(e.to_string(), ""),
     })?;
     if !session.runs.is_empty() {
         let runs = session.runs.iter().map(|(r, f)| (r, f.clone()));
@@ -112,9 +96,10 @@ fn do_runs(session: &Session) -> Result<bool, Failure> {
         return Ok(false);
     }
     let stop = stop_flag()?;
-    let mut screen = Screen::new(None);
-    let outcomes = session.execute(&stop, &mut screen);
-    screen.finish();
+    let mut audience = Audience::new(None);
+    let outcomes = session.execute(&stop, &mut audience);
+    audience.screen.finish();
+    let outcomes = outcomes?;
     Ok(outcomes
         .iter()
         .any(|o| matches!(o, sweep::Outcome::Interrupted | sweep::Outcome::Waiting)))

@@ -2,22 +2,16 @@
 
 use super::{
     args::{ResumeArgs, RunArgs},
-    failure::{FAILED, Failure, INTERRUPTED, Outcome, WRONG_INPUT},
-    say::{say, say_if_heard},
+    failure::{Failure, INTERRUPTED, Outcome},
+    names::telling_name,
+    progress::Screen,
+    say::say,
 };
 use erode::run::{self, Ended, Observer, Progress, RunError, Start};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::{
-    io::IsTerminal,
     path::{Path, PathBuf},
     sync::{Arc, atomic::AtomicBool},
-    time::{Duration, Instant},
 };
-
-/// Positions of the bar: per mille of the simulated time.
-const BAR: u64 = 1000;
-/// Without a terminal, one line of progress in so many seconds.
-const LINE_EVERY: Duration = Duration::from_secs(10);
 
 /// Runs a case.
 pub(crate) fn run(args: &RunArgs) -> Outcome {
@@ -50,14 +44,7 @@ pub(crate) fn resume(args: &ResumeArgs) -> Outcome {
 
 /// `runs/NAME`, NAME being the case's folder or file; a number is added when that is taken.
 fn default_folder(case: &Path) -> PathBuf {
-    let folder = if case.is_dir() || case.file_stem().is_none_or(|s| s != "case") {
-        Some(case)
-    } else {
-        case.parent()
-    };
-    let name = folder
-        .and_then(Path::file_stem)
-        .map_or("run".into(), |s| s.to_string_lossy().into_owned());
+    let name = telling_name(case, "case").unwrap_or_else(|| "run".into());
     let first = PathBuf::from("runs").join(&name);
     let numbered = (2..).map(|k| PathBuf::from("runs").join(format!("{name}-{k}")));
     std::iter::once(first)
@@ -76,13 +63,7 @@ pub(super) fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
             stop.clone(),
         )
         .and_then(|_| signal_hook::flag::register(signal, stop.clone()));
-        if let Err(e) = registered {
-            return Err(Failure::Other {
-                code: FAILED,
-                message: format!("signals cannot be handled: {e}"),
-                help: String::new(),
-            });
-        }
+        registered.map_err(|e| Failure::failed(format!("signals cannot be handled: {e}"), ""))?;
     }
     Ok(stop)
 }
@@ -98,65 +79,25 @@ fn conclude(ended: Result<Ended, RunError>, folder: &Path) -> Outcome {
             message: format!("interrupted at t = {time:.4e} s; a checkpoint is written"),
             help: format!("`erode resume {}` goes on", folder.display()),
         }),
-        Err(RunError::Case(errors)) => Err(errors.into()),
-        Err(error) => Err(failure(&error)),
+        Err(error) => Err(failure(error)),
     }
 }
 
-fn failure(error: &RunError) -> Failure {
-    let (code, help) = match error {
-        RunError::Output(e) => {
-            use erode::output::OutputError::{Locked, NotAFolder, NotARun, NotWritable, Occupied};
-            let wrong = matches!(
-                e,
-                Occupied { .. }
-                    | NotAFolder { .. }
-                    | NotWritable { .. }
-                    | NotARun { .. }
-                    | Locked { .. }
-            );
-            (if wrong { WRONG_INPUT } else { FAILED }, e.hint())
+fn failure(error: RunError) -> Failure {
+    match error {
+        RunError::Case(errors) => errors.into(),
+        RunError::Output(e) => e.into(),
+        RunError::Packing { .. } | RunError::Unsupported { .. } | RunError::Solid { .. } => {
+            let help = "`erode check CASE` shows the bodies and their spacing";
+            Failure::input(error.to_string(), help)
         }
-        RunError::Packing { .. } | RunError::Unsupported { .. } | RunError::Solid { .. } => (
-            WRONG_INPUT,
-            "`erode check CASE` shows the bodies and their spacing".to_owned(),
-        ),
-        _ => (FAILED, String::new()),
-    };
-    Failure::Other {
-        code,
-        message: error.to_string(),
-        help,
-    }
-}
-
-/// A bar on a terminal, plain lines elsewhere.
-struct Screen {
-    bar: Option<ProgressBar>,
-    line: Instant,
-}
-
-impl Screen {
-    fn new() -> Self {
-        let bar = std::io::stderr().is_terminal().then(|| {
-            let bar = ProgressBar::new(BAR);
-            let style = ProgressStyle::with_template("[{bar:30}] {percent}% {msg}");
-            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-            bar
-        });
-        Self {
-            bar,
-            line: Instant::now() - LINE_EVERY,
-        }
+        _ => Failure::failed(error.to_string(), ""),
     }
 }
 
 impl Observer for Screen {
     fn say(&mut self, text: &str) {
-        match &self.bar {
-            Some(bar) => bar.println(text),
-            None => say_if_heard(text),
-        }
+        Screen::say(self, text);
     }
 
     fn progress(&mut self, p: &Progress) {
@@ -173,22 +114,10 @@ impl Observer for Screen {
             p.dt,
             p.limiter
         );
-        match &self.bar {
-            Some(bar) => {
-                bar.set_position((p.time / p.end_time * BAR as f64) as u64);
-                bar.set_message(text);
-            }
-            None if self.line.elapsed() >= LINE_EVERY => {
-                self.line = Instant::now();
-                say_if_heard(&text);
-            }
-            None => {}
-        }
+        self.show(p.time / p.end_time, text, false);
     }
 
     fn finish(&mut self) {
-        if let Some(bar) = self.bar.take() {
-            bar.finish_and_clear();
-        }
+        Screen::finish(self);
     }
 }

@@ -2,7 +2,8 @@
 
 use super::{
     args::ValidateArgs,
-    failure::{FAILED, Failure, Outcome},
+    failure::{Failure, Outcome},
+    json,
     say::say,
 };
 use erode::validate::{self, ALL};
@@ -24,16 +25,7 @@ pub(crate) fn run(args: &ValidateArgs) -> Outcome {
     let mut missed = 0;
     for outcome in &outcomes {
         say!("{}", validate::text(outcome));
-        missed += outcome.missed();
-    }
-    if let Some(file) = &args.json {
-        let failed = |e: &dyn std::fmt::Display| Failure::Other {
-            code: FAILED,
-            message: format!("{} cannot be written: {e}", file.display()),
-            help: String::new(),
-        };
-        let text = serde_json::to_string_pretty(&outcomes).map_err(|e| failed(&e))?;
-        std::fs::write(file, text + "\n").map_err(|e| failed(&e))?;
+        missed += outcome.missed() + outcome.without_data();
     }
     if let Some(folder) = &args.markdown {
         validate::write_markdown(
@@ -41,20 +33,16 @@ pub(crate) fn run(args: &ValidateArgs) -> Outcome {
             &outcomes,
             env!("CARGO_PKG_VERSION"),
             &validate::today(),
-        )
-        .map_err(|e| Failure::Other {
-            code: FAILED,
-            message: e.to_string(),
-            help: e.hint(),
-        })?;
+        )?;
     }
-    if missed > 0 {
-        let message = format!("{missed} tolerance(s) missed");
-        return Err(Failure::Other {
-            code: FAILED,
-            message,
-            help: "the table above says which, and why they are what they are".into(),
-        });
-    }
-    Ok(())
+    let ended = if missed > 0 {
+        let help = "the table above says which, and why they are what they are";
+        Err(Failure::failed(
+            format!("{missed} tolerance(s) missed"),
+            help,
+        ))
+    } else {
+        Ok(())
+    };
+    json::write_and_end(args.json.as_deref(), &outcomes, ended)
 }

@@ -8,7 +8,8 @@ use std::fs;
 use std::path::Path;
 
 /// Names that are tables of the summary and so cannot be scalars.
-const TABLES: [&str; 7] = [
+const TABLES: [&str; 8] = [
+    "layers",
     "seconds",
     "units",
     "versions",
@@ -41,6 +42,10 @@ pub struct Summary {
     /// Values beside those of a source: `quantity`, `value`, `reference`, `unit`, `source` each.
     #[serde(default)]
     comparison: Vec<Value>,
+    /// Layers of a solid from the top: `material`, `thickness`, `resolved_thickness`, `max_plastic_strain`, `plastic_work`,
+    /// `lost_mass` each, SI; the last one is the body below them. Empty without layers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    layers: Vec<Value>,
 }
 
 impl Summary {
@@ -59,6 +64,12 @@ impl Summary {
     /// Sets a version, such as `erode`, `checkpoint_schema`.
     pub fn set_version(&mut self, name: &str, version: &str) {
         self.versions.insert(name.into(), version.into());
+    }
+
+    /// The version of a program or format that wrote it.
+    #[must_use]
+    pub fn version(&self, name: &str) -> Option<&str> {
+        self.versions.get(name)?.as_str()
     }
 
     /// Sets the fingerprint of an input.
@@ -85,6 +96,11 @@ impl Summary {
     /// Sets the comparison with a source.
     pub fn set_comparison(&mut self, rows: Vec<Value>) {
         self.comparison = rows;
+    }
+
+    /// Sets what is told of each layer of a solid.
+    pub fn set_layers(&mut self, rows: Vec<Value>) {
+        self.layers = rows;
     }
 
     /// The comparison with a source.

@@ -29,7 +29,7 @@ use crate::output::atomic::write_atomic;
 pub use colour::{ColourMap, Colouring};
 pub use raster::{CLOSING, REACH, View};
 pub use rayleigh::{collapse_curve, collapse_time};
-pub(crate) use sections::end::{EndState, radius_picture};
+pub(crate) use sections::end::{End, radius_picture};
 pub use units::quantity;
 
 /// Why there is no report.

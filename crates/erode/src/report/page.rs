@@ -4,8 +4,8 @@ use super::html::Page;
 use super::instants::Instants;
 use super::run_data::RunData;
 use super::sections::{
-    asked, bubble, bubble_cloud, energy, fields, load, probes, results, single_bubble, stepping,
-    strain, wall,
+    asked, bubble, bubble_cloud, energy, fields, layers, load, probes, results, single_bubble,
+    stepping, strain, wall,
 };
 
 /// The whole page as HTML.
@@ -35,6 +35,7 @@ pub(crate) fn compose(data: &RunData) -> String {
     }
     wall::write(&mut page, data, &instants);
     strain::write(&mut page, data, &instants, &end);
+    layers::write(&mut page, data);
     energy::write(&mut page, data);
     stepping::write(&mut page, data, &instants);
     probes::write(&mut page, data);

@@ -117,7 +117,7 @@ pub fn select(ids: &[String]) -> Result<Vec<Reproduction>, Unknown> {
 /// The runs that some reproductions need, each once, with their cost; nothing is run.
 ///
 /// # Errors
-/// If the folder cannot be written.
+/// If a case is wrong, which is a fault of the program.
 pub fn session(chosen: &[Reproduction], options: Options) -> Result<Session, SweepError> {
     let needs = chosen.iter().flat_map(|r| match r.kind {
         Kind::Alone(_) => Vec::new(),
@@ -136,10 +136,12 @@ impl Reproduction {
             Kind::Alone(run) => run(say).map(Judged::from),
             Kind::OfRuns { judge, .. } => judge(session),
         };
-        let (judged, failure) = match judged {
+        let (mut judged, failure) = match judged {
             Ok(judged) => (judged, None),
             Err(failure) => (Judged::default(), Some(failure.to_string())),
         };
+        let checks = std::mem::take(&mut judged.finding.checks);
+        judged.finding.checks = checks.into_iter().map(with_data).collect();
         let of_runs = matches!(self.kind, Kind::OfRuns { .. });
         let outcome = Outcome {
             name: self.id.into(),
@@ -154,6 +156,31 @@ impl Reproduction {
             outcome,
             pictures: judged.pictures,
         }
+    }
+}
+
+/// A statement is judged only by numbers: what is none, or has no bound, was not determined.
+fn with_data(check: Check) -> Check {
+    let numbers = [Some(check.value), check.reference, check.error];
+    let known = numbers.iter().flatten().all(|x| x.is_finite());
+    if check.is_judged() && !known {
+        check.without_data("a number that it needs could not be determined")
+    } else {
+        check
+    }
+}
+
+/// What the comparison says in one word or two: never met where something could not be judged, or nothing was.
+#[must_use]
+pub fn verdict(outcome: &Outcome) -> String {
+    let judged = outcome.finding.checks.iter().filter(|c| c.is_judged());
+    let (judged, missed, without) = (judged.count(), outcome.missed(), outcome.without_data());
+    match (&outcome.failure, missed, without) {
+        (Some(_), ..) => "not computed".into(),
+        (None, 0, 0) if judged == 0 => "nothing is judged".into(),
+        (None, 0, 0) => "met".into(),
+        (None, 0, n) => format!("not judged in full ({n} of {} lack data)", judged + n),
+        (None, m, _) => format!("not met ({m} of {judged})"),
     }
 }
 
@@ -213,7 +240,10 @@ mod tests {
             let runs = session(&chapter, options.clone()).unwrap().runs;
             // Seven stand-offs, four more pressures, two more radii, three without strain-rate effect.
             assert_eq!(runs.len(), 16);
-            assert!(runs.iter().all(|(r, _)| r.seconds > 0.0));
+            assert!(
+                runs.iter()
+                    .all(|(r, _)| r.cost.is_some_and(|c| c.seconds > 0.0))
+            );
             let all = select(&["joshi-*".to_owned()]).unwrap();
             let names: Vec<String> = session(&all, options)
                 .unwrap()
@@ -226,6 +256,38 @@ mod tests {
             different.dedup();
             assert_eq!(different.len(), names.len(), "two names for one case");
         }
+    }
+
+    fn outcome(checks: Vec<Check>, failure: Option<&str>) -> Outcome {
+        Outcome {
+            name: "x".into(),
+            description: String::new(),
+            reference: String::new(),
+            quick: false,
+            finding: Finding {
+                checks: checks.into_iter().map(with_data).collect(),
+                ..Finding::default()
+            },
+            failure: failure.map(str::to_owned),
+            seconds: 0.0,
+        }
+    }
+
+    #[test]
+    fn what_lacks_data_is_never_met() {
+        let ratio = |x: f64| Check::at_least("ratio", "-", x, 1.0, "");
+        let of = |checks| verdict(&outcome(checks, None));
+        assert_eq!(of(vec![ratio(2.0)]), "met");
+        assert_eq!(of(vec![ratio(2.0), ratio(0.5)]), "not met (1 of 2)");
+        for unknown in [f64::NAN, f64::INFINITY] {
+            let lacking = of(vec![ratio(2.0), ratio(unknown)]);
+            assert_eq!(lacking, "not judged in full (1 of 2 lack data)");
+        }
+        let unbounded = Check::more_than("place", "m", 1.0, f64::NAN, "");
+        assert_eq!(of(vec![unbounded]), "not judged in full (1 of 1 lack data)");
+        let shown = Check::shown("jet", "m/s", 900.0, None, "");
+        assert_eq!(of(vec![shown]), "nothing is judged");
+        assert_eq!(verdict(&outcome(Vec::new(), Some("why"))), "not computed");
     }
 
     #[test]

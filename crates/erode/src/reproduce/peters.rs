@@ -121,7 +121,7 @@ fn figure_9(_say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         ("pressure over that of a spherical collapse", "-"),
     );
     figure.add("eq. 3.59", Style::Line, curve);
-    let words = "\"larger collapse pressures are generated for gamma < 0.3 and gamma > 1.0\"";
+    let words = "\"Larger collapse pressures are generated for\" gamma < 0.3 and gamma > 1.0";
     Ok(Finding {
         checks: vec![
             Check::at_least(
@@ -234,7 +234,7 @@ fn figure_11(_say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     Ok(Finding {
         checks: vec![
             Check::relative("pressure in the bubble at the largest radius", "Pa", (first.bubble_pressure, liquid.vapour_pressure), 0.1, "\"approached the vapour pressure until the bubble attained its maximum radius\""),
-            Check::at_least("pressure of the liquid where the collapse begins / atmospheric", "-", exceeds, 1.0, "\"when the liquid pressure exceeded the atmospheric pressure again, it initiated the first bubble collapse\": the wall turns a little before"),
+            Check::at_least("pressure of the liquid where the collapse begins / atmospheric", "-", exceeds, 1.0, "\"When the liquid pressure exceeded the atmospheric pressure again, it initiated the first bubble collapse\": the wall turns a little before"),
             at_most("smallest radius / equilibrium radius", "-", smallest.radius / RADIUS, 0.5, "\"decreased well below its equilibrium radius\""),
             Check::at_least("largest pressure in the bubble / that at rest", "-", smallest.bubble_pressure / rest, 100.0, "\"increased by multiple orders of magnitude above the equilibrium pressure\""),
             Check::at_least("least ratio of a largest radius to the next one", "-", falling, 1.0, "\"oscillations of decreasing amplitude\""),

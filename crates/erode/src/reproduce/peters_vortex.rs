@@ -113,21 +113,21 @@ fn figure_13(say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
 fn figure_14(say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     say("three bubbles in the vortex");
     let rides = by_size()?;
-    let words = "\"attractive forces increased with increasing R0\"";
+    let words = "\"the attractive forces increased with increasing\" R0";
     let mut checks = Vec::new();
     for (a, b) in [(0, 1), (1, 2)] {
         let ratio = rides[a].time_to_core() / rides[b].time_to_core();
         let quantity = format!("time to the core, {} over {}", sizes()[a], sizes()[b]);
-        checks.push(Check::at_least(quantity, "-", ratio, 1.0, words));
+        checks.push(Check::more_than(quantity, "-", ratio, 1.0, words));
     }
     for (ride, size) in rides.iter().zip(sizes()) {
         let quantity = format!("radius at the end over the first, {size}");
-        checks.push(Check::at_least(
+        checks.push(Check::more_than(
             quantity,
             "-",
             ride.mean_radius(),
             1.0,
-            "\"all three bubbles grew\"",
+            "\"All three bubbles grew\"",
         ));
     }
     Ok(Finding {
@@ -152,19 +152,19 @@ fn figure_15(say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         let pair = format!("cavitation number {} over {}", labels[a], labels[b]);
         let size = rides[a].max_radius() / rides[b].max_radius();
         let swing = rides[a].swing() / rides[b].swing();
-        checks.push(Check::at_least(
+        checks.push(Check::more_than(
             format!("largest radius, {pair}"),
             "-",
             size,
             1.0,
-            "\"for smaller cavitation numbers the size increased\"",
+            "\"For smaller cavitation numbers, not only the size of the bubbles, but also the amplitudes of their size oscillations increased\"",
         ));
-        checks.push(Check::at_least(
+        checks.push(Check::more_than(
             format!("swing of the radius, {pair}"),
             "-",
             swing,
             1.0,
-            "\"also the amplitudes of their size oscillations increased\"",
+            "\"but also the amplitudes of their size oscillations increased\"",
         ));
     }
     for (ride, label) in rides.iter().zip(&labels) {
@@ -173,7 +173,7 @@ fn figure_15(say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
             "-",
             ride.max_radius(),
             None,
-            "\"averaging prevented an unbounded growth\": no number is given",
+            "\"Averaging the liquid pressure at the bubbles’ walls prevented an unbounded growth\": no number is given",
         ));
     }
     Ok(Finding {

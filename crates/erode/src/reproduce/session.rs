@@ -1,10 +1,11 @@
 //! Reproductions that are made of runs: which they need, doing what is missing, handing the results over.
 
-use crate::analysis::WallPressure;
+use crate::analysis::{WallPressure, YIELDED};
 use crate::output::atomic::write_atomic;
 use crate::output::{Collection, OutputError, RunPaths, Snapshot, Summary, Table};
 use crate::sweep::{
-    Execution, Outcome, Picture, Planned, Setting, SweepError, Watcher, execute, final_picture,
+    Execution, Outcome, Picture, Planned, Setting, Stand, SweepError, Watcher, execute,
+    final_picture, stand_of,
 };
 use crate::validate::{Failure, Finding};
 use std::path::PathBuf;
@@ -41,14 +42,15 @@ pub struct Session {
     pub options: Options,
     /// The runs, each with its folder.
     pub runs: Vec<(Planned, PathBuf)>,
-    cases: Vec<PathBuf>,
+    /// Name and text of the case of each run.
+    cases: Vec<(&'static str, &'static str)>,
 }
 
 impl Session {
-    /// Checks the cases of all needs and writes them down; nothing is run.
+    /// Checks the cases of all needs; nothing is run or written.
     ///
     /// # Errors
-    /// If a case is wrong, which is a fault of the program, or the folder cannot be written.
+    /// If a case is wrong, which is a fault of the program.
     pub(super) fn prepare(options: Options, needs: &[Need]) -> Result<Self, SweepError> {
         let mut session = Self {
             options,
@@ -60,35 +62,27 @@ impl Session {
             if session.runs.iter().any(|(r, _)| r.name == need.name) {
                 continue;
             }
-            let case = session.write_case(need)?;
-            let planned = Planned::check(&case, &need.name, &[], &need.settings)?;
+            let planned = Planned::check_text(need.case, &need.name, &need.settings)?;
             let folder = root.join(&planned.name);
             session.runs.push((planned, folder));
-            session.cases.push(case);
+            session.cases.push(need.case);
         }
         Ok(session)
     }
 
-    fn write_case(&self, need: &Need) -> Result<PathBuf, OutputError> {
-        let folder = self.options.folder.join("cases");
-        let path = folder.join(format!("{}.toml", need.case.0));
-        std::fs::create_dir_all(&folder).map_err(|cause| OutputError::NotWritable {
-            path: folder,
-            cause,
-        })?;
-        let there = std::fs::read_to_string(&path).is_ok_and(|t| t == need.case.1);
-        if !there {
-            write_atomic(&path, |f| f.write_all(need.case.1.as_bytes()))?;
-        }
-        Ok(path)
-    }
-
     /// Does what is missing; the outcome of each run.
-    pub fn execute(&self, stop: &AtomicBool, watcher: &mut dyn Watcher) -> Vec<Outcome> {
+    ///
+    /// # Errors
+    /// If the cases cannot be written.
+    pub fn execute(
+        &self,
+        stop: &AtomicBool,
+        watcher: &mut dyn Watcher,
+    ) -> Result<Vec<Outcome>, OutputError> {
         // One case file at a time: all runs of the first, then all of the next.
         let mut outcomes = vec![Outcome::Waiting; self.runs.len()];
         let mut cases = self.cases.clone();
-        cases.sort();
+        cases.sort_unstable();
         cases.dedup();
         for case in cases {
             let members: Vec<usize> = (0..self.runs.len())
@@ -99,7 +93,7 @@ impl Session {
                 (planned, folder.clone())
             });
             let execution = Execution {
-                case: &case,
+                case: &self.write_case(case)?,
                 runs: runs.collect(),
                 threads: self.options.threads,
                 stop,
@@ -108,7 +102,18 @@ impl Session {
                 outcomes[*k] = outcome;
             }
         }
-        outcomes
+        Ok(outcomes)
+    }
+
+    fn write_case(&self, (name, text): (&str, &str)) -> Result<PathBuf, OutputError> {
+        let folder = self.options.folder.join("cases");
+        let path = folder.join(format!("{name}.toml"));
+        std::fs::create_dir_all(&folder).map_err(|cause| OutputError::NotWritable {
+            path: folder,
+            cause,
+        })?;
+        write_atomic(&path, |f| f.write_all(text.as_bytes()))?;
+        Ok(path)
     }
 
     /// The results of a run that is complete.
@@ -116,14 +121,19 @@ impl Session {
     /// # Errors
     /// If it is not, or cannot be read.
     pub(super) fn run(&self, need: &Need) -> Result<Ran, Failure> {
-        let folder = self.options.folder.join("runs").join(&need.name);
-        let paths = RunPaths::new(&folder);
         let missing = |what: String| Failure::Absent(format!("run {}: {what}", need.name));
-        if !paths.summary().is_file() {
-            return Err(missing(
-                "it is not complete; the same command goes on with it".into(),
-            ));
+        let found = self.runs.iter().find(|(r, _)| r.name == need.name);
+        let (planned, folder) = found.ok_or_else(|| missing("it was not asked for".into()))?;
+        match stand_of(folder, planned) {
+            Stand::Complete => {}
+            Stand::New | Stand::Begun => {
+                return Err(missing(
+                    "it is not complete; the same command goes on with it".into(),
+                ));
+            }
+            Stand::Unfit(why) => return Err(missing(format!("what lies in its folder is {why}"))),
         }
+        let paths = RunPaths::new(folder);
         let summary = Summary::read(&paths.summary()).map_err(|e| missing(e.to_string()))?;
         Ok(Ran {
             name: need.name.clone(),
@@ -172,10 +182,35 @@ pub(super) struct Metal {
     pub(super) spacing: f64,
 }
 
+impl Metal {
+    /// Height of the particle with the largest plastic strain, m; not a number where nothing yielded.
+    pub(super) fn level(&self) -> f64 {
+        let all = self.position.iter().zip(&self.plastic_strain);
+        let worst = all.max_by(|a, b| a.1.total_cmp(b.1));
+        worst
+            .filter(|(_, strain)| **strain > YIELDED)
+            .map_or(f64::NAN, |(x, _)| x[1])
+    }
+}
+
 impl Ran {
     /// A scalar of the summary; NaN if it could not be determined.
     pub(super) fn get(&self, name: &str) -> f64 {
         self.summary.get(name).unwrap_or(f64::NAN)
+    }
+
+    /// A scalar of the metal for a comparison with other metal: not a number where it did not yield.
+    pub(super) fn of_yielded(&self, name: &str) -> f64 {
+        if self.get("plastic_volume") > 0.0 {
+            self.get(name)
+        } else {
+            f64::NAN
+        }
+    }
+
+    /// The unit of a scalar.
+    pub(super) fn unit(&self, name: &str) -> &str {
+        self.summary.unit(name).unwrap_or("-")
     }
 
     /// `history.csv`

@@ -47,6 +47,7 @@ pub fn write(folder: &Path, reproduced: &Reproduced) -> Result<PathBuf, OutputEr
         .map(|c| {
             let verdict = match (c.kind, c.passed) {
                 (Kind::Shown, _) => "not judged",
+                (Kind::NoData, _) => "not judged: no data",
                 (_, true) => "met",
                 (_, false) => "not met",
             };

@@ -18,14 +18,19 @@ pub(super) struct Background {
 }
 
 impl Background {
-    /// Begins to write; [`Self::settle`] must have been called since the last time.
-    pub(super) fn begin(&mut self, parts: Vec<Part>) {
+    /// Waits for the snapshot before and begins to write; the entries of the one before.
+    ///
+    /// # Errors
+    /// That of the writing before; nothing is begun then.
+    pub(super) fn begin(&mut self, parts: Vec<Part>) -> Result<Vec<Entry>, OutputError> {
+        let before = self.settle()?;
         self.writer = Some(std::thread::spawn(move || {
             for part in &parts {
                 part.snapshot.write(&part.path, Encoding::Zlib)?;
             }
             Ok(parts.into_iter().map(|part| part.entry).collect())
         }));
+        Ok(before)
     }
 
     /// Waits until all is on the disk; the entries for the collection.
@@ -44,11 +49,51 @@ impl Background {
 }
 
 impl Drop for Background {
-    /// A run that ends early leaves no half-written file.
+    /// A run that ends by a panic leaves no half-written file; one that fails has settled before (`Course::go`).
     fn drop(&mut self) {
         if let Some(writer) = self.writer.take() {
-            // The run has failed for another reason already, which is the one to tell.
+            // Another fault is the one to tell.
             let _ = writer.join();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(folder: &std::path::Path, time: f64) -> Part {
+        let file = format!("metal_{time}.vtu");
+        Part {
+            path: folder.join(&file),
+            snapshot: Snapshot::new(time, &[[0.0; 2]]),
+            entry: Entry {
+                time,
+                part: 0,
+                name: "metal".into(),
+                file,
+            },
+        }
+    }
+
+    #[test]
+    fn no_entry_is_lost_between_two_snapshots() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut background = Background::default();
+        let begun =
+            |b: &mut Background, time: f64| b.begin(vec![part(folder.path(), time)]).unwrap();
+        assert!(begun(&mut background, 1.0).is_empty());
+        assert_eq!(begun(&mut background, 2.0)[0].time, 1.0);
+        assert_eq!(background.settle().unwrap()[0].time, 2.0);
+        assert!(background.settle().unwrap().is_empty());
+    }
+
+    #[test]
+    fn a_snapshot_that_could_not_be_written_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut background = Background::default();
+        let nowhere = part(&folder.path().join("nowhere"), 1.0);
+        background.begin(vec![nowhere]).unwrap();
+        assert!(background.begin(vec![part(folder.path(), 2.0)]).is_err());
     }
 }

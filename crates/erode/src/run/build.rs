@@ -1,16 +1,16 @@
 //! From a checked case to a world of particles.
 
-use super::{RunError, loads};
+use super::{RunError, gas, loads};
 use crate::case::{self, BodyKind, FluidFormulation, Side, Simulation, SolidFormulation};
 use erode_physics::material_point::Material;
 use erode_sph::Geometry;
 use erode_sph::fluid::far_field::FarField;
 use erode_sph::fluid::ghosts::Plane;
 use erode_sph::fluid::{Fluid, Formulation, Start, corrected, joshi};
-use erode_sph::neighbours::cell_order;
-use erode_sph::packing::{Options, Packing, SMOOTHING, pack};
+use erode_sph::neighbours::compact_order;
+use erode_sph::packing::{Options, Packing, pack};
 use erode_sph::shapes::{Region, Shape};
-use erode_sph::solid::{self, Block, Face, Numerics, Setup, Solid};
+use erode_sph::solid::{self, Block, Face, Layer, Numerics, Setup, Solid};
 use erode_sph::world::{Body, Named, World};
 
 /// Room temperature, K: where solids start.
@@ -39,6 +39,7 @@ pub fn world(simulation: &Simulation) -> Result<World, RunError> {
         })
         .collect::<Result<Vec<_>, RunError>>()?;
     let mut world = World::new(bodies, simulation.run.safety)?;
+    gas::fill(&mut world, simulation)?;
     loads::prepare(&mut world, simulation)?;
     Ok(world)
 }
@@ -60,8 +61,7 @@ fn filled(geometry: Geometry, body: &case::Body) -> Result<Packing, RunError> {
             body: body.name.clone(),
             source,
         })?;
-    let h: Vec<f64> = packing.spacing.iter().map(|s| SMOOTHING * s).collect();
-    let order = cell_order(&packing.position, &h);
+    let order = compact_order(&packing.position);
     let pick = |values: &[f64]| {
         order
             .iter()
@@ -212,21 +212,26 @@ fn solid(
         bottom: face(&sides.bottom),
         top,
     };
-    let material = Material {
-        elastic: s.elastic,
-        strength: s.strength,
-        density: s.density,
+    let material = |elastic, strength, density| Material {
+        elastic,
+        strength,
+        density,
         temperature: TEMPERATURE,
     };
-    let mut solid = Solid::new(Setup {
+    let layers = s.layers.iter().map(|l| Layer {
+        thickness: l.thickness,
+        material: material(l.elastic, l.strength, l.density),
+        damage: l.damage,
+    });
+    let setup = Setup {
         geometry: simulation.geometry,
         block,
-        material,
+        material: material(s.elastic, s.strength, s.density),
         numerics: numerics(s.formulation, simulation.run.safety),
         position: packing.position,
         area: packing.area,
-    })
-    .map_err(|source| RunError::Solid {
+    };
+    let mut solid = Solid::layered(setup, layers.collect()).map_err(|source| RunError::Solid {
         body: body.name.clone(),
         source,
     })?;

@@ -16,6 +16,11 @@ pub(super) trait Course {
     /// Writes a state to go on from.
     fn write_checkpoint(&mut self) -> Result<(), RunError>;
 
+    /// Brings to the disk what is still being written beside the calculation.
+    fn settle(&mut self) -> Result<(), RunError> {
+        Ok(())
+    }
+
     /// Where it stands.
     fn progress(&self) -> Progress<'_>;
 
@@ -33,6 +38,7 @@ pub(super) trait Course {
     /// # Errors
     /// If the calculation fails or a file cannot be written.
     fn go(&mut self, stop: &AtomicBool, observer: &mut dyn Observer) -> Result<Ended, RunError> {
+        observer.begin(&self.progress());
         let ended = self.advance(stop, observer);
         observer.finish();
         let ended = match ended {
@@ -43,7 +49,10 @@ pub(super) trait Course {
         if let Err(error) = &ended
             && !matches!(error, RunError::Report(_))
         {
-            // On a full disk the status may fail as well; the first error is the one to tell.
+            // On a full disk these may fail as well; the first error is the one to end with.
+            if let Err(another) = self.settle() {
+                observer.say(&format!("the last snapshot is not listed: {another}"));
+            }
             let _ = self.write_status(State::Failed, Some(&error.to_string()));
         }
         ended

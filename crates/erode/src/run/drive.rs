@@ -95,6 +95,15 @@ pub fn resume(
         found.path.display(),
         found.checkpoint.meta.time
     ));
+    let (ours, theirs) = (
+        env!("CARGO_PKG_VERSION"),
+        &found.checkpoint.meta.code_version,
+    );
+    if theirs != ours {
+        observer.say(&format!(
+            "it was written by Erode {theirs}, and this is {ours}: the result may differ from that of one version alone"
+        ));
+    }
     if let Some(bubble) = loaded.simulation.single_bubble {
         let checkpoint = &found.checkpoint;
         return single_bubble::Run::from_checkpoint(

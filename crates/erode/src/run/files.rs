@@ -107,7 +107,6 @@ impl Files {
     /// # Errors
     /// If a file of the snapshot before could not be written.
     pub(crate) fn write_fields(&mut self, world: &World) -> Result<(), RunError> {
-        self.settle()?;
         let mut parts = Vec::new();
         for (part, named) in world.bodies.iter().enumerate() {
             let path = self.folder.paths().snapshot(&named.name, self.snapshots);
@@ -126,14 +125,21 @@ impl Files {
                 },
             });
         }
-        self.background.begin(parts);
+        let before = self.background.begin(parts)?;
         self.snapshots += 1;
-        Ok(())
+        self.list(before)
     }
 
     /// Waits for the snapshot that is being written and lists it.
-    fn settle(&mut self) -> Result<(), RunError> {
+    ///
+    /// # Errors
+    /// If it could not be written.
+    pub(crate) fn settle(&mut self) -> Result<(), RunError> {
         let entries = self.background.settle()?;
+        self.list(entries)
+    }
+
+    fn list(&mut self, entries: Vec<Entry>) -> Result<(), RunError> {
         if !entries.is_empty() {
             self.fields.add(entries)?;
         }

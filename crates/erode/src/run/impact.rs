@@ -1,32 +1,32 @@
 //! Scalars of an impact that need its whole course: the ring of void, the shock front on the wall, the times of load and
 //! metal. They are taken from the tables that the run wrote.
 
-use super::monitor::{COLLAPSED, Record, YIELDED, solid};
-use crate::analysis::{self, WallPressure, energy_density, front, last_toroid, zone_depth};
+use super::monitor::{COLLAPSED, Record, solid};
+use crate::analysis::{
+    self, WallPressure, YIELDED, energy_density, followed_above, front, last_toroid, zone_depth,
+};
 use crate::case::{BodyKind, Simulation, Solid};
-use crate::output::{RunPaths, Summary, Table};
+use crate::output::{OutputError, RunPaths, Summary, Table};
 use erode_sph::world::World;
 
-/// The front is followed down to this part of the yield stress: below, other waves are as strong.
-const FOLLOWED: f64 = 0.4;
-/// Radii on each side that its speed is read from.
-const REACH: usize = 3;
-
-/// Adds the scalars of a bubble next to a wall; those whose table is missing are not a number.
+/// Adds the scalars of a bubble next to a wall; those of a wall without a recorded pressure are not a number.
+///
+/// # Errors
+/// If a table that the run wrote cannot be read.
 pub(super) fn add(
     s: &mut Summary,
     world: &World,
     simulation: &Simulation,
     record: &Record,
     paths: &RunPaths,
-) {
+) -> Result<(), OutputError> {
     let Some(bubble) = simulation.bubble.filter(|b| b.wall_distance.is_some()) else {
-        return;
+        return Ok(());
     };
     let none = f64::NAN;
     s.set("jet_half_width", "m", record.jet_half_width.unwrap_or(none));
-    let history = Table::read(&paths.history()).ok();
-    let toroid = history.and_then(|h| toroid(&h, COLLAPSED * record.initial_volume));
+    let history = Table::read(&paths.history())?;
+    let toroid = toroid(&history, COLLAPSED * record.initial_volume);
     s.set("toroid_r", "m", toroid.map_or(none, |t| t.r));
     s.set("toroid_z", "m", toroid.map_or(none, |t| t.z));
     s.set("toroid_time", "s", toroid.map_or(none, |t| t.time));
@@ -34,17 +34,18 @@ pub(super) fn add(
         BodyKind::Solid(metal) => Some(metal),
         BodyKind::Fluid(_) => None,
     }) else {
-        return;
+        return Ok(());
     };
     let get = |s: &Summary, name: &str| s.get(name).unwrap_or(none);
     let density = energy_density(get(s, "plastic_work"), get(s, "plastic_volume"));
     s.set("absorbed_energy_density", "J/m3", density);
-    let wall = Table::read(&paths.surface("wall_pressure")).ok();
-    let wall = wall.as_ref().and_then(WallPressure::of);
+    let recorded = paths.surface("wall_pressure");
+    // Metal without an upper face has no such table.
+    let wall = recorded.exists().then(|| Table::read(&recorded));
+    let wall = wall.transpose()?.as_ref().and_then(WallPressure::of);
     let yield_stress = metal.strength.yield_stress(0.0, 0.0, ROOM);
-    let found = wall
-        .as_ref()
-        .map(|w| front(w, FOLLOWED * yield_stress, REACH));
+    let least = followed_above(yield_stress, bubble.driving_pressure);
+    let found = wall.as_ref().map(|w| front(w, least));
     let at = |r: f64| {
         let all = found.iter().flatten();
         all.min_by(|a, b| (a.radius - r).abs().total_cmp(&(b.radius - r).abs()))
@@ -52,7 +53,9 @@ pub(super) fn add(
     };
     let speed = at(bubble.radius).map_or(none, |f| f.speed);
     s.set("shock_front_speed", "m/s", speed);
-    times(s, world, metal, wall.as_ref(), yield_stress);
+    let rise = analysis::above_step(analysis::RISE, bubble.driving_pressure);
+    times(s, world, metal, wall.as_ref(), [rise, yield_stress]);
+    Ok(())
 }
 
 /// Temperature at which the yield stress is taken, K: that of the reference tests.
@@ -64,14 +67,14 @@ fn times(
     world: &World,
     metal: &Solid,
     wall: Option<&WallPressure>,
-    yield_stress: f64,
+    [rise, fall]: [f64; 2],
 ) {
+    // Metal that did not yield has no such place.
     let place = s.get("max_plastic_strain_r").unwrap_or(f64::NAN);
-    let strained = s.get("max_plastic_strain").is_some_and(|e| e > 0.0);
-    let wall = wall.filter(|_| strained);
+    let wall = wall.filter(|_| place.is_finite());
     let load = wall.and_then(|w| {
         let pressure = &w.pressure[w.nearest(place)];
-        analysis::loading_time(&w.time, pressure, analysis::RISE, yield_stress)
+        analysis::loading_time(&w.time, pressure, rise, fall)
     });
     let depth = wall.zip(solid(world)).map(|(w, body)| {
         let (position, strain) = (&body.reference.position, &body.state.plastic_strain);
@@ -95,4 +98,41 @@ fn toroid(history: &Table, volume: f64) -> Option<analysis::Toroid> {
         cut("bubble_inner_radius")?,
         [cut("bubble_centre_r")?, cut("bubble_centre")?],
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    #[test]
+    fn a_table_that_cannot_be_read_is_an_error_and_no_missing_number() {
+        let text = include_str!("../../../../cases/bubble-near-steel/case.toml");
+        let coarse = "setup.bubble_near_wall.particles_per_radius=4".to_owned();
+        let simulation = Case::parse("case.toml", text, &[coarse]).unwrap();
+        let world = crate::run::world(&simulation).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let paths = RunPaths::new(folder.path());
+        let add = || {
+            let mut summary = Summary::default();
+            add(
+                &mut summary,
+                &world,
+                &simulation,
+                &Record::default(),
+                &paths,
+            )
+        };
+        let error = add().unwrap_err();
+        assert!(
+            error.to_string().contains("history.csv could not be read"),
+            "{error}"
+        );
+        std::fs::write(paths.history(), "time [s]\n0\n").unwrap();
+        std::fs::create_dir(folder.path().join("surface")).unwrap();
+        // Without a table of the wall its numbers are not known; with a damaged one the run must not end as if.
+        add().unwrap();
+        std::fs::write(paths.surface("wall_pressure"), "").unwrap();
+        assert!(add().is_err());
+    }
 }

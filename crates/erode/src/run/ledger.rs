@@ -1,6 +1,6 @@
 //! The energy ledger of a world.
 //!
-//! liquid (kinetic + compression) + solid (kinetic + elastic + plastic work) + dissipation + lost
+//! liquid (kinetic + compression) + gas + solid (kinetic + elastic + plastic work) + dissipation + lost
 //!     = start + work of the boundaries
 
 use erode_sph::world::{Body, World};
@@ -12,6 +12,8 @@ pub struct Ledger {
     pub liquid_kinetic: f64,
     /// Compression of liquids.
     pub liquid_compression: f64,
+    /// Gas in cavities, with what was lost of it.
+    pub gas: f64,
     /// Kinetic energy of solids.
     pub solid_kinetic: f64,
     /// Elastic energy of solids.
@@ -40,6 +42,7 @@ impl Ledger {
                 Body::Fluid(f) => {
                     l.liquid_kinetic += f.kinetic_energy();
                     l.liquid_compression += f.compression_energy();
+                    l.gas += f.gas.as_ref().map_or(0.0, |g| g.energy() + g.lost);
                     l.liquid_dissipation += f.account.dissipation;
                     l.boundary_work += f.account.far_field_work;
                 }
@@ -65,6 +68,7 @@ impl Ledger {
     pub fn balance(&self) -> f64 {
         self.liquid_kinetic
             + self.liquid_compression
+            + self.gas
             + self.solid_kinetic
             + self.solid_elastic
             + self.plastic_work
@@ -76,10 +80,11 @@ impl Ledger {
 
     /// Names and values, as in `history.csv` and `summary.json`.
     #[must_use]
-    pub fn entries(&self) -> [(&'static str, f64); 9] {
+    pub fn entries(&self) -> [(&'static str, f64); 10] {
         [
             ("energy_liquid_kinetic", self.liquid_kinetic),
             ("energy_liquid_compression", self.liquid_compression),
+            ("energy_gas", self.gas),
             ("energy_solid_kinetic", self.solid_kinetic),
             ("energy_solid_elastic", self.solid_elastic),
             ("energy_plastic_work", self.plastic_work),

@@ -1,11 +1,12 @@
 //! What is watched while a run goes on: the bubble, the jet, the wall, the metal, the energy.
 
 use super::ledger::Ledger;
-use crate::analysis::half_width;
+use crate::analysis::{YIELDED, absorbed_energy, half_width, plastic_volume};
 use crate::case::{Bubble, Simulation};
 use crate::output::Column;
 use erode_sph::cavity::{Cavity, Colour, Window};
 use erode_sph::fluid::Fluid;
+use erode_sph::fluid::gas::Pocket;
 use erode_sph::fluid::ghosts::{Ghosts, Wall};
 use erode_sph::geometry::Vec2;
 use erode_sph::interface::SurfaceLine;
@@ -24,9 +25,6 @@ const JET_GAP: f64 = 0.2;
 
 /// The bubble counts as collapsed when less than this share of its initial volume is left.
 pub(crate) const COLLAPSED: f64 = 0.02;
-
-/// Plastic strain above which a particle counts as yielded.
-pub(crate) const YIELDED: f64 = 1e-6;
 
 /// Extremes and events since the start: part of a checkpoint.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -52,6 +50,9 @@ pub(crate) struct Record {
     /// Half-width of the jet at that time, m.
     #[serde(default)]
     pub jet_half_width: Option<f64>,
+    /// Largest pressure of the gas, Pa.
+    #[serde(default)]
+    pub max_gas_pressure: f64,
     /// Largest pressure in the liquid, Pa.
     pub max_pressure: f64,
     /// Largest energy that the boundaries put in and the start held, J.
@@ -106,6 +107,13 @@ pub(crate) fn columns(simulation: &Simulation) -> Vec<Column> {
             ("jet_gap", "m"),
             ("jet_speed", "m/s"),
             ("jet_half_width", "m"),
+        ]);
+    }
+    if simulation.bubble.is_some_and(|b| b.gas.is_some()) {
+        names.extend([
+            ("gas_pressure", "Pa"),
+            ("gas_volume", "m3"),
+            ("gas_parts", "-"),
         ]);
     }
     names.extend([
@@ -262,7 +270,8 @@ fn tip_speed(fluid: &Fluid, tip: Vec2) -> f64 {
 }
 
 fn distance(a: Vec2, b: Vec2) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    // Not `hypot`: it is slow, and nothing here is near the ends of the range of numbers.
+    ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt()
 }
 
 /// Radius of the ball (disc in plane) with a volume.
@@ -302,12 +311,22 @@ pub(crate) fn row(
         ]);
     }
     let fluids = liquid(world);
+    if simulation.bubble.is_some_and(|b| b.gas.is_some()) {
+        let gas = fluids.and_then(|f| f.gas.as_ref());
+        let parts = gas.map_or(&[][..], |g| &g.pockets);
+        values.extend([
+            record.see_gas(parts),
+            parts.iter().map(|p| p.volume).sum::<f64>() + 0.0,
+            parts.len() as f64,
+        ]);
+    }
     let pressure = fluids.map_or(0.0, |f| largest(&f.pressure));
     let speed = fluids.map_or(0.0, |f| {
         f.velocity
             .iter()
-            .map(|v| v[0].hypot(v[1]))
+            .map(|v| v[0] * v[0] + v[1] * v[1])
             .fold(0.0, f64::max)
+            .sqrt()
     });
     let ledger = Ledger::of(world);
     values.extend([
@@ -377,6 +396,14 @@ impl Record {
         }
     }
 
+    /// Pressure of the pocket with the largest share; 0 when all have closed.
+    fn see_gas(&mut self, pockets: &[Pocket]) -> f64 {
+        let main = pockets.iter().max_by(|a, b| a.share.total_cmp(&b.share));
+        let pressure = main.map_or(0.0, |p| p.pressure);
+        self.max_gas_pressure = self.max_gas_pressure.max(pressure);
+        pressure
+    }
+
     fn see_energy(&mut self, ledger: &Ledger) -> f64 {
         let residual = ledger.balance() - self.initial_balance;
         self.energy_scale = self
@@ -399,7 +426,7 @@ pub(crate) fn largest(values: &[f64]) -> f64 {
 pub struct Metal {
     /// Largest plastic strain.
     pub max_plastic_strain: f64,
-    /// Its distance from the axis and depth below the undeformed surface, m.
+    /// Its distance from the axis and depth below the undeformed surface, m; not a number where nothing yielded.
     pub place: Vec2,
     /// Plastic work, J.
     pub plastic_work: f64,
@@ -418,19 +445,17 @@ impl Metal {
             .max_by(|&a, &b| strain[a].total_cmp(&strain[b]))
             .unwrap_or(0);
         let at = s.reference.position[worst];
-        let yielded = |a: &usize| strain[*a] > YIELDED;
+        let place = [at[0], s.block.upper[1] - at[1]];
+        let volume = &s.reference.volume;
         Self {
             max_plastic_strain: strain[worst],
-            place: [at[0], s.block.upper[1] - at[1]],
-            plastic_work: (0..s.len())
-                .map(|a| s.state.plastic_work[a] * s.reference.volume[a])
-                .sum(),
-            plastic_volume: (0..s.len())
-                .filter(yielded)
-                .map(|a| s.reference.volume[a])
-                // A sum of nothing is -0 in Rust.
-                .sum::<f64>()
-                + 0.0,
+            place: if strain[worst] > YIELDED {
+                place
+            } else {
+                [f64::NAN; 2]
+            },
+            plastic_work: absorbed_energy(&s.state.plastic_work, volume),
+            plastic_volume: plastic_volume(strain, volume, YIELDED),
             depth: pit_depth(s),
         }
     }
@@ -471,3 +496,7 @@ fn ground(s: &Solid, column: f64, width: f64) -> f64 {
         .map(|a| s.state.position[a][1] + 0.5 * s.reference.area[a].sqrt())
         .fold(s.block.lower[1], f64::max)
 }
+
+#[cfg(test)]
+#[path = "monitor_tests.rs"]
+mod tests;

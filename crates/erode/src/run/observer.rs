@@ -23,6 +23,8 @@ pub struct Progress<'a> {
 pub trait Observer {
     /// A sentence.
     fn say(&mut self, text: &str);
+    /// Called once before the first step: of a run that goes on the simulated time is not zero.
+    fn begin(&mut self, _progress: &Progress) {}
     /// Called about once a second.
     fn progress(&mut self, progress: &Progress);
     /// Called once at the end, before the last sentences.

@@ -148,7 +148,14 @@ pub(crate) fn snapshot(body: &Body, time: f64) -> Snapshot {
         }
         Body::Solid(s) => {
             let q = &s.state;
-            Snapshot::new(time, &q.position)
+            let snapshot = Snapshot::new(time, &q.position);
+            let snapshot = if s.layers.is_empty() {
+                snapshot
+            } else {
+                let layer = (0..s.len()).map(|a| s.layers.index(a) as f64).collect();
+                snapshot.with(Field::scalar("material", "-", Data::F64(layer)))
+            };
+            snapshot
                 .with(Field::scalar(
                     "plastic_strain",
                     "-",

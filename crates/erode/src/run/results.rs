@@ -1,8 +1,11 @@
 //! The final numbers of a run and their comparison with the source.
 
+use super::layers;
 use super::ledger::Ledger;
 use super::monitor::{Metal, Record, equivalent_radius, liquid, solid};
 use super::strain_profile::{Column, columns, off_axis_maximum};
+use crate::analysis::published::{ATTACHED_STRAIN, DETACHED_STRAIN};
+use crate::analysis::{YIELDED, bubble_energy, plastic_potential};
 use crate::case::{BodyKind, Simulation};
 use crate::output::Summary;
 use erode_sph::world::{Body, World};
@@ -57,6 +60,7 @@ pub(crate) fn summary(
     for (name, steps) in &record.limiters {
         s.set_limiter(name, *steps);
     }
+    s.set_layers(layers::rows(world, simulation));
     s.set_comparison(comparison(simulation, &s));
     s
 }
@@ -98,14 +102,21 @@ fn bubble(s: &mut Summary, world: &World, simulation: &Simulation, record: &Reco
         s.set("jet_time", "s", record.jet_time.unwrap_or(none));
     }
     s.set("max_pressure", "Pa", record.max_pressure);
-    let energy = 4.0 / 3.0 * std::f64::consts::PI * b.radius.powi(3) * b.driving_pressure;
+    if let Some(gas) = liquid(world).and_then(|f| f.gas.as_ref()) {
+        s.set("max_gas_pressure", "Pa", record.max_gas_pressure);
+        s.set_count("gas_parts", gas.pockets.len() as u64);
+        s.set_ledger("gas_pockets_closed", "-", gas.closed as f64);
+        s.set_ledger("gas_energy_lost", "J", gas.lost);
+        s.set_ledger("gas_steps_cut", "-", gas.cut as f64);
+    }
+    let energy = bubble_energy(b.radius, b.driving_pressure, simulation.geometry);
     if simulation.geometry == erode_sph::Geometry::Axisymmetric {
         s.set("bubble_energy", "J", energy);
         if let Some(metal) = solid(world) {
             s.set(
                 "plastic_deformation_potential_share",
                 "-",
-                Metal::of(metal).plastic_work / energy,
+                plastic_potential(Metal::of(metal).plastic_work, energy),
             );
         }
     }
@@ -210,7 +221,7 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
         .iter()
         .map(|body| body.spacing.finest)
         .fold(f64::INFINITY, f64::min);
-    let strain = s.get("max_plastic_strain").filter(|strain| *strain > 0.0);
+    let strain = s.get("max_plastic_strain").filter(|e| *e > YIELDED);
     let radius = s.get("max_plastic_strain_r").filter(|_| strain.is_some());
     // Two spacings tell a place from the axis.
     let place = radius.map(|r| {
@@ -226,7 +237,7 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
             row(
                 "max_plastic_strain",
                 json!(strain),
-                json!(0.0023),
+                json!(DETACHED_STRAIN),
                 "-",
                 source,
             ),
@@ -240,7 +251,7 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
             row(
                 "off_axis_plastic_strain",
                 json!(s.get("off_axis_plastic_strain").filter(|v| v.is_finite())),
-                json!(0.0023),
+                json!(DETACHED_STRAIN),
                 "-",
                 source,
             ),
@@ -258,7 +269,7 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
             row(
                 "max_plastic_strain",
                 json!(strain),
-                json!(0.0083),
+                json!(ATTACHED_STRAIN),
                 "-",
                 source,
             ),

@@ -76,7 +76,7 @@ fn scalars(q: &erode_sph::solid::State) -> [(&'static str, &Vec<f64>); 9] {
 #[must_use]
 pub(crate) fn accounts(world: &World) -> Value {
     let all = world.bodies.iter().map(|named| match &named.body {
-        Body::Fluid(f) => json!(f.account),
+        Body::Fluid(f) => json!({ "account": f.account, "gas": f.gas }),
         // A renewed reference configuration goes with it.
         Body::Solid(s) => json!({ "work": s.state.work, "base": s.state.base }),
     });
@@ -120,7 +120,7 @@ pub(crate) fn restore(
         };
         match &mut named.body {
             Body::Fluid(f) => {
-                f.account = serde_json::from_value(account).map_err(wrong)?;
+                f.account = serde_json::from_value(account["account"].clone()).map_err(wrong)?;
                 refinement::restore(f, &name, checkpoint)?;
                 let n = f.len();
                 f.position = vectors("position", n)?;
@@ -137,6 +137,7 @@ pub(crate) fn restore(
                     &numbers("cluster_state", 2)?,
                     &name,
                 )?;
+                f.gas = serde_json::from_value(account["gas"].clone()).map_err(wrong)?;
             }
             Body::Solid(s) => {
                 let n = s.len();

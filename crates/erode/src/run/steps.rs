@@ -250,6 +250,10 @@ impl Course for Run {
         Ok(())
     }
 
+    fn settle(&mut self) -> Result<(), RunError> {
+        self.files.settle()
+    }
+
     fn progress(&self) -> Progress<'_> {
         Progress {
             time: self.world.time,
@@ -269,7 +273,7 @@ impl Course for Run {
         let threads = rayon::current_num_threads();
         let (world, simulation) = (&self.world, &self.simulation);
         let mut summary = results::summary(world, simulation, &record, wall_time, threads);
-        impact::add(&mut summary, world, simulation, &record, self.files.paths());
+        impact::add(&mut summary, world, simulation, &record, self.files.paths())?;
         let words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
             world.step,

@@ -1,5 +1,6 @@
 //! Largest plastic strain beneath each point of the surface, and its maximum off the axis.
 
+use crate::analysis::largest_in_column;
 use erode_sph::solid::{Side, Solid};
 
 /// A maximum counts when it rises above the lowest value between it and the axis by this share of itself: more than the
@@ -21,30 +22,11 @@ pub fn columns(solid: &Solid) -> Vec<Column> {
     let Some(top) = solid.surface(Side::Top) else {
         return Vec::new();
     };
-    let mut columns: Vec<Column> = top
-        .reference_position
-        .iter()
-        .map(|x| Column {
-            r: x[0],
-            plastic_strain: 0.0,
-        })
-        .collect();
-    for (x, &strain) in solid
-        .reference
-        .position
-        .iter()
-        .zip(&solid.state.plastic_strain)
-    {
-        let after = columns.partition_point(|c| c.r < x[0]);
-        let nearest = match after {
-            0 => 0,
-            k if k == columns.len() || x[0] - columns[k - 1].r <= columns[k].r - x[0] => k - 1,
-            k => k,
-        };
-        let column = &mut columns[nearest];
-        column.plastic_strain = column.plastic_strain.max(strain);
-    }
-    columns
+    let radii: Vec<f64> = top.reference_position.iter().map(|x| x[0]).collect();
+    let (position, strain) = (&solid.reference.position, &solid.state.plastic_strain);
+    let largest = largest_in_column(position, strain, &radii).into_iter();
+    let column = |(r, plastic_strain)| Column { r, plastic_strain };
+    radii.into_iter().zip(largest).map(column).collect()
 }
 
 /// The largest plastic strain that is separated from the axis by lower values, each column averaged with its two

@@ -8,6 +8,7 @@ use erode_sph::fluid::Fluid;
 use erode_sph::geometry::Vec2;
 use erode_sph::solid::Solid;
 use erode_sph::world::{Body, Limiter, World, WorldError};
+use rayon::prelude::*;
 
 /// A step shorter than this share of the first one is a collapse of the calculation.
 const SHORTEST_STEP: f64 = 1e-4;
@@ -124,11 +125,12 @@ fn fastest(world: &World) -> Option<(String, Vec2)> {
 }
 
 fn wave_speed(s: &Solid) -> f64 {
-    s.material.elastic.longitudinal_speed(s.material.density)
+    s.wave_speed()
 }
 
 fn implausible_liquid(f: &Fluid, body: &str) -> Option<Finding> {
-    (0..f.len()).find_map(|a| {
+    let particles = (0..f.len()).into_par_iter().with_min_len(1024);
+    particles.find_map_first(|a| {
         let (density, position) = (f.density(a), f.position[a]);
         let ratio = density / f.eos.reference_density;
         if !(ratio > DENSITY_RANGE.0 && ratio < DENSITY_RANGE.1) {
@@ -156,7 +158,8 @@ fn implausible_liquid(f: &Fluid, body: &str) -> Option<Finding> {
 
 fn implausible_metal(s: &Solid, body: &str) -> Option<Finding> {
     let wave = wave_speed(s);
-    (0..s.len()).find_map(|a| {
+    let particles = (0..s.len()).into_par_iter().with_min_len(1024);
+    particles.find_map_first(|a| {
         let position = s.state.position[a];
         too_fast(
             s.state.velocity[a],

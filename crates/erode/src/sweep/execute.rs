@@ -1,8 +1,8 @@
 //! Doing the runs of a plan one after the other: complete ones are skipped, begun ones go on, a failed one stops none.
 
-use super::folder::{Stand, set_aside, stand_of};
+use super::folder::{Stand, Unfit, set_aside, stand_of};
 use super::plan::Planned;
-use crate::output::{RunPaths, Summary};
+use crate::output::{OutputError, RunPaths, Summary};
 use crate::run::{self, Observer, Progress, RunError, Start};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -98,12 +98,18 @@ pub fn execute(what: &Execution, watcher: &mut dyn Watcher) -> Vec<Outcome> {
             _ => Outcome::Waiting,
         })
         .collect();
-    let weight = |k: usize| what.runs[k].0.seconds.max(SHORTEST);
+    let weight = |k: usize| {
+        let cost = what.runs[k].0.cost;
+        cost.map_or(SHORTEST, |c| c.seconds.max(SHORTEST))
+    };
     let open: Vec<usize> = (0..outcomes.len())
         .filter(|k| outcomes[*k] == Outcome::Waiting)
         .collect();
-    let total: f64 = open.iter().map(|k| weight(*k)).sum();
-    let (begun, mut done) = (Instant::now(), 0.0);
+    let mut work = Work {
+        begun: Instant::now(),
+        done: 0.0,
+        total: open.iter().map(|k| weight(*k)).sum(),
+    };
     for k in open {
         if what.stop.load(Ordering::Relaxed) {
             break;
@@ -114,17 +120,17 @@ pub fn execute(what: &Execution, watcher: &mut dyn Watcher) -> Vec<Outcome> {
             number: k + 1,
             of: what.runs.len(),
             name: &planned.name,
-            begun,
-            done,
+            work,
             weight: weight(k),
-            total,
+            first: 0.0,
+            share: 0.0,
         };
         let outcome = isolated(|| one(what, planned, folder, &stands[k], &mut inner));
+        work = inner.work_after(&outcome);
         if let Outcome::Failed(why) = &outcome {
             watcher.say(&format!("{} failed: {why}", planned.name));
         }
         outcomes[k] = outcome;
-        done += weight(k);
         watcher.ended(&outcomes);
     }
     outcomes
@@ -151,18 +157,27 @@ fn one(
 ) -> Outcome {
     observer.tell(0.0);
     let failed = |e: &dyn std::fmt::Display| Outcome::Failed(e.to_string());
-    if *stand == Stand::Unfit {
+    let mut unfit = match stand {
+        Stand::Unfit(why) => Some(*why),
+        _ => None,
+    };
+    let mut resumed = None;
+    if *stand == Stand::Begun {
+        match run::resume(folder, what.threads, what.stop, observer) {
+            Err(RunError::Output(error @ OutputError::NoCheckpoint { .. })) => {
+                observer.say(&error.to_string());
+                unfit = Some(Unfit::NoCheckpoint);
+            }
+            ended => resumed = Some(ended),
+        }
+    }
+    if let Some(why) = unfit {
         match set_aside(folder) {
-            Ok(path) => observer.say(&format!(
-                "another case, or one without a checkpoint, was moved to {}",
-                path.display()
-            )),
+            Ok(path) => observer.say(&format!("a run {why} was moved to {}", path.display())),
             Err(e) => return failed(&e),
         }
     }
-    let ended = if *stand == Stand::Begun {
-        run::resume(folder, what.threads, what.stop, observer)
-    } else {
+    let ended = resumed.unwrap_or_else(|| {
         let start = Start {
             case: what.case.to_path_buf(),
             overrides: planned.overrides.clone(),
@@ -170,7 +185,7 @@ fn one(
             threads: what.threads,
         };
         run::start(&start, what.stop, observer)
-    };
+    });
     match ended {
         Ok(run::Ended::Done { .. }) => Outcome::Done,
         Ok(run::Ended::Interrupted { .. }) => Outcome::Interrupted,
@@ -183,8 +198,16 @@ fn one(
 ///
 /// # Errors
 /// If they cannot be read.
-pub(super) fn summary_of(folder: &Path) -> Result<Summary, crate::output::OutputError> {
+pub(super) fn summary_of(folder: &Path) -> Result<Summary, OutputError> {
     Summary::read(&RunPaths::new(folder).summary())
+}
+
+/// What this call has done so far, in estimated seconds; what was there before it is in none of them.
+#[derive(Debug, Clone, Copy)]
+struct Work {
+    begun: Instant,
+    done: f64,
+    total: f64,
 }
 
 /// Hands the progress of one run on as that of all.
@@ -193,29 +216,63 @@ struct Inner<'a> {
     number: usize,
     of: usize,
     name: &'a str,
-    begun: Instant,
-    /// Estimated seconds of the runs that ended before, of this one, and of all.
-    done: f64,
+    /// Of the runs before this one.
+    work: Work,
+    /// Estimated seconds of this one.
     weight: f64,
-    total: f64,
+    /// Part of it that was done before.
+    first: f64,
+    /// Part of it that is done.
+    share: f64,
 }
 
 impl Inner<'_> {
+    /// The work with this run as far as it is.
+    fn work_now(&self) -> Work {
+        Work {
+            done: self.work.done + (self.share - self.first) * self.weight,
+            total: self.work.total - self.first * self.weight,
+            ..self.work
+        }
+    }
+
+    /// The work when this run has ended: of one that failed, what it did not do is no longer to be done.
+    fn work_after(&self, outcome: &Outcome) -> Work {
+        let now = self.work_now();
+        let rest = (1.0 - self.share) * self.weight;
+        match outcome {
+            Outcome::Failed(_) => Work {
+                total: now.total - rest,
+                ..now
+            },
+            _ => Work {
+                done: now.done + rest,
+                ..now
+            },
+        }
+    }
+
     fn tell(&mut self, share: f64) {
-        let done = self.done + share * self.weight;
-        let spent = self.begun.elapsed().as_secs_f64();
+        self.share = share;
+        let work = self.work_now();
+        let spent = work.begun.elapsed().as_secs_f64();
         // The estimate of the cost says how the runs compare; the clock says how fast this machine is.
-        let known = self.done > 0.0 || share > TELLING;
-        let left = known.then(|| spent / done * (self.total - done));
+        let known = work.done > TELLING * self.weight;
+        let left = known.then(|| spent / work.done * (work.total - work.done));
         self.watcher.progress(&Overall {
             number: self.number,
             of: self.of,
             name: self.name,
             share,
-            whole: done / self.total,
+            whole: work.done / work.total,
             left,
         });
     }
+}
+
+/// Part of the simulated time that is done.
+fn share_of(p: &Progress) -> f64 {
+    (p.time / p.end_time).clamp(0.0, 1.0)
 }
 
 impl Observer for Inner<'_> {
@@ -224,7 +281,83 @@ impl Observer for Inner<'_> {
             .say(&format!("[{}/{}] {text}", self.number, self.of));
     }
 
+    fn begin(&mut self, p: &Progress) {
+        (self.first, self.share) = (share_of(p), share_of(p));
+    }
+
     fn progress(&mut self, p: &Progress) {
-        self.tell((p.time / p.end_time).clamp(0.0, 1.0));
+        self.tell(share_of(p));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    /// Keeps what it is told.
+    #[derive(Default)]
+    struct Ear(Vec<(f64, Option<f64>)>);
+
+    impl Watcher for Ear {
+        fn say(&mut self, _: &str) {}
+
+        fn progress(&mut self, o: &Overall) {
+            self.0.push((o.whole, o.left));
+        }
+    }
+
+    fn at(time: f64) -> Progress<'static> {
+        Progress {
+            time,
+            end_time: 1.0,
+            step: 0,
+            steps_per_second: 0.0,
+            dt: 0.1,
+            limiter: "",
+            energy_drift: None,
+        }
+    }
+
+    /// The second of two equal runs of 100 s goes on at 0.8 of its time, ten seconds after the first has begun and ended.
+    fn second(ear: &mut Ear) -> Inner<'_> {
+        Inner {
+            watcher: ear,
+            number: 2,
+            of: 2,
+            name: "b",
+            work: Work {
+                begun: Instant::now() - Duration::from_secs(10),
+                done: 100.0,
+                total: 200.0,
+            },
+            weight: 100.0,
+            first: 0.0,
+            share: 0.0,
+        }
+    }
+
+    #[test]
+    fn what_a_run_had_done_before_is_neither_done_nor_left() {
+        let mut ear = Ear::default();
+        let mut inner = second(&mut ear);
+        inner.begin(&at(0.8));
+        inner.progress(&at(0.9));
+        // 110 of 120 are done in 10 s: 0.9 s are left. With the first 80 counted it would be 0.5 s.
+        let after = inner.work_after(&Outcome::Done);
+        assert!((after.done - 120.0).abs() < 1e-9 && (after.total - 120.0).abs() < 1e-9);
+        let (whole, left) = ear.0[0];
+        assert!((whole - 110.0 / 120.0).abs() < 1e-9, "{whole}");
+        assert!((left.unwrap() - 10.0 / 11.0).abs() < 0.02, "{left:?}");
+    }
+
+    #[test]
+    fn what_a_failed_run_left_undone_is_no_longer_to_be_done() {
+        let mut ear = Ear::default();
+        let mut inner = second(&mut ear);
+        inner.begin(&at(0.0));
+        inner.progress(&at(0.25));
+        let after = inner.work_after(&Outcome::Failed(String::new()));
+        assert!((after.done - 125.0).abs() < 1e-9 && (after.total - 125.0).abs() < 1e-9);
     }
 }

@@ -1,8 +1,10 @@
 //! The sweep file as written: the case, what all runs share, and what is varied.
 
+use super::plan::plain;
 use super::setting::{Setting, Value};
 use crate::case::CaseErrors;
 use crate::case::error::{Findings, Span};
+use crate::case::keys::CASE;
 use crate::case::load::read_text;
 use crate::case::raw::{Entry, Raw, RawTable, RawValue, parse};
 use crate::case::suggest::did_you_mean;
@@ -136,10 +138,10 @@ impl Reader<'_> {
                 RawValue::Table(inner) if !inner.entries.is_empty() => {
                     self.settings(&key, inner, into);
                 }
-                _ => into.push(Setting {
-                    key,
-                    value: self.value(&entry.value),
-                }),
+                _ => {
+                    let value = self.value(&key, &entry.value);
+                    into.push(Setting { key, value });
+                }
             }
         }
     }
@@ -157,7 +159,7 @@ impl Reader<'_> {
                         .error(entry.value.span, message, "no value", LIST_HELP);
                 }
                 RawValue::List(items) => {
-                    let values = items.iter().map(|v| self.value(v)).collect();
+                    let values = items.iter().map(|v| self.value(&key, v)).collect();
                     into.push((key, values));
                 }
                 other => {
@@ -181,33 +183,37 @@ impl Reader<'_> {
             let mut settings = Vec::new();
             self.settings("", table, &mut settings);
             let at = settings.iter().position(|s| s.key == "name");
-            let name = at.map(|k| settings.remove(k).value.shown);
+            let name = at.map(|k| plain(&settings.remove(k).value.shown));
+            if let Some(twice) = &name
+                && file.runs.iter().any(|r| r.name.as_ref() == Some(twice))
+            {
+                let message = format!("two runs have the name `{twice}`");
+                let help = "names are those of folders, so each run needs one of its own; without one it is named after its values";
+                self.findings.error(item.span, message, "again", help);
+            }
             file.runs.push(Listed { name, settings });
         }
     }
 
-    fn value(&self, raw: &Raw) -> Value {
+    /// The value of `key`: the unit of a number is that of the key, whether it was written or not.
+    fn value(&self, key: &str, raw: &Raw) -> Value {
         let written = self
             .source
             .get(raw.span.start..raw.span.end)
             .unwrap_or_default();
-        let (shown, number, unit) = match &raw.value {
-            RawValue::Text(t) => match units::parse(t) {
-                Ok(q) => {
-                    let unit = q.dimension.map_or("-".into(), |d| d.to_string());
-                    (t.clone(), Some(q.value), unit.replace('^', ""))
-                }
-                Err(_) => (t.clone(), None, "-".into()),
-            },
-            RawValue::Integer(x) | RawValue::Float(x) => (written.to_owned(), Some(*x), "-".into()),
-            RawValue::Switch(b) => (b.to_string(), Some(f64::from(u8::from(*b))), "-".into()),
-            _ => (written.to_owned(), None, "-".into()),
+        let (shown, number) = match &raw.value {
+            RawValue::Text(t) => (t.clone(), units::parse(t).ok().map(|q| q.value)),
+            RawValue::Integer(x) | RawValue::Float(x) => (written.to_owned(), Some(*x)),
+            RawValue::Switch(b) => (b.to_string(), Some(f64::from(u8::from(*b)))),
+            _ => (written.to_owned(), None),
         };
+        let dimension = CASE.dimension(key).filter(|d| *d != units::NUMBER);
+        let unit = dimension.map_or("-".into(), |d| d.to_string().replace('^', ""));
         Value {
             text: written.to_owned(),
             shown,
             number,
-            unit: if unit == "1" { "-".into() } else { unit },
+            unit,
         }
     }
 

@@ -6,8 +6,9 @@ use super::lines::difference;
 use super::plan::{Plan, Planned};
 use super::{SweepError, Table};
 use crate::output::atomic::{list, write_atomic};
-use crate::output::lock::LOCK_FILE;
-use crate::output::{OutputError, RunPaths, State, Status, hash_hex};
+use crate::output::lock::{self, LOCK_FILE};
+use crate::output::{OutputError, RunPaths, State, Status, Summary, hash_hex};
+use std::fmt::{self, Display};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -25,12 +26,33 @@ pub struct Folder {
 pub enum Stand {
     /// Nothing is there.
     New,
-    /// It reached its end with this very case.
+    /// It reached its end with this very case and this version of Erode.
     Complete,
     /// It has begun and can go on.
     Begun,
-    /// What is there belongs to another case, or cannot be gone on with.
-    Unfit,
+    /// What is there cannot be used.
+    Unfit(Unfit),
+}
+
+/// Why what lies in the folder of a run cannot be used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unfit {
+    /// It belongs to another case, or is no run.
+    OtherCase,
+    /// It is complete, but another version of Erode has computed it.
+    OtherVersion,
+    /// It did not reach its end, and there is no checkpoint, or none that is whole.
+    NoCheckpoint,
+}
+
+impl Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::OtherCase => "of another case",
+            Self::OtherVersion => "by another version of Erode",
+            Self::NoCheckpoint => "without a usable checkpoint",
+        })
+    }
 }
 
 impl Folder {
@@ -197,33 +219,37 @@ pub fn stand_of(folder: &Path, run: &Planned) -> Stand {
     let paths = RunPaths::new(folder);
     let same = fs::read(paths.resolved()).is_ok_and(|text| hash_hex(&text) == run.hash);
     if !same {
-        return Stand::Unfit;
+        return Stand::Unfit(Unfit::OtherCase);
     }
     let done = Status::read(&paths.status()).is_ok_and(|s| s.state == State::Done);
-    if done && paths.summary().is_file() {
-        return Stand::Complete;
+    if done && let Ok(summary) = Summary::read(&paths.summary()) {
+        return match summary.version("erode") {
+            Some(env!("CARGO_PKG_VERSION")) => Stand::Complete,
+            _ => Stand::Unfit(Unfit::OtherVersion),
+        };
     }
     let checkpoints = list(&paths.checkpoints()).unwrap_or_default();
     let can_go_on = checkpoints.iter().any(|p| p.is_file());
     if can_go_on {
         Stand::Begun
     } else {
-        Stand::Unfit
+        Stand::Unfit(Unfit::NoCheckpoint)
     }
 }
 
 /// Gives a folder that cannot be used another name, `NAME.old-1` and so on; that name.
 ///
 /// # Errors
-/// If it cannot be renamed.
+/// If another process writes to it, or it cannot be renamed.
 pub(super) fn set_aside(folder: &Path) -> Result<PathBuf, OutputError> {
+    let path = folder.to_path_buf();
+    if let holder @ Some(_) = lock::holder(folder) {
+        return Err(OutputError::Locked { path, holder });
+    }
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let mut names = (1..).map(|k| folder.with_file_name(format!("{name}.old-{k}")));
     let free = names.find(|p| !p.exists()).unwrap_or_default();
-    fs::rename(folder, &free).map_err(|cause| OutputError::Write {
-        path: folder.to_path_buf(),
-        cause,
-    })?;
+    fs::rename(folder, &free).map_err(|cause| OutputError::Write { path, cause })?;
     Ok(free)
 }
 

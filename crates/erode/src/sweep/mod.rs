@@ -21,10 +21,9 @@ mod table;
 
 pub use error::SweepError;
 pub use execute::{Execution, Outcome, Overall, Watcher, execute};
-
-pub use folder::{Folder, Stand, stand_of};
+pub use folder::{Folder, Stand, Unfit, stand_of};
 pub use pictures::{Picture, final_picture};
-pub use plan::{Plan, Planned};
+pub use plan::{Cost, Plan, Planned};
 pub use report::write_report;
 pub use results::Results;
 pub use setting::{Setting, Value};

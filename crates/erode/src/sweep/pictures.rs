@@ -1,6 +1,6 @@
 //! The end of each run in one picture.
 
-use crate::report::{EndState, View, radius_picture};
+use crate::report::{End, View, radius_picture};
 use std::path::{Path, PathBuf};
 
 /// Views whose widths differ by more than this factor are not drawn to one scale: the smaller would not be seen.
@@ -21,30 +21,75 @@ impl From<(String, String)> for Picture {
     }
 }
 
-/// One picture per run (title, folder) that has one: its plastic strain, or the radius of its bubble where there is no
-/// metal. Whether all were drawn to one scale; none without metal that yielded.
-pub(super) fn small_multiples(
-    runs: &[(String, PathBuf)],
-    width: f64,
-) -> (Vec<Picture>, Option<bool>) {
-    let ends: Vec<Option<EndState>> = runs.iter().map(|(_, f)| EndState::read(f)).collect();
-    let views: Vec<View> = ends.iter().flatten().filter_map(EndState::view).collect();
-    let common = common_view(&views);
-    let pictures = runs.iter().zip(&ends).filter_map(|((title, folder), end)| {
-        let drawn = match end {
-            Some(end) => Some(end.picture(title, common.or_else(|| end.view())?, width)),
-            None => radius_picture(folder, title, width),
-        };
-        drawn.map(Picture::from)
+/// The ends of several runs.
+pub(super) struct Ends {
+    /// One per run that has something to show.
+    pub(super) pictures: Vec<Picture>,
+    /// In words, what the pictures show.
+    pub(super) told: &'static str,
+    /// Sentences about runs without a picture.
+    pub(super) absent: Vec<String>,
+}
+
+/// The end of each run (title, folder): its plastic strain, or the radius of its bubble where no metal yielded.
+pub(super) fn small_multiples(runs: &[(String, PathBuf)], width: f64) -> Ends {
+    let ends: Vec<End> = runs.iter().map(|(_, f)| End::read(f)).collect();
+    let strained = ends.iter().filter_map(|end| match end {
+        End::Strained(state) => state.view(),
+        _ => None,
     });
-    let one_scale = (!views.is_empty()).then_some(common.is_some());
-    (pictures.collect(), one_scale)
+    let views: Vec<View> = strained.collect();
+    let common = common_view(&views);
+    let (mut pictures, mut absent) = (Vec::new(), Vec::new());
+    for ((title, folder), end) in runs.iter().zip(&ends) {
+        match drawn(folder, title, width, end, common) {
+            Ok(picture) => pictures.push(picture),
+            Err(why) => absent.push(format!("{title}: {why}")),
+        }
+    }
+    let elastic = ends.iter().any(|end| matches!(end, End::Elastic));
+    let told = match (views.is_empty(), common, elastic) {
+        (false, Some(_), _) => "All to one scale in space; colours by the bar of each.",
+        (false, None, _) => "Each to its own scale in space; colours by the bar of each.",
+        (true, _, true) => "No metal yielded: the radius of the bubble over time.",
+        (true, _, false) => "The radius of the bubble over time.",
+    };
+    Ends {
+        pictures,
+        told,
+        absent,
+    }
+}
+
+/// The picture of one run, or why there is none.
+fn drawn(
+    folder: &Path,
+    title: &str,
+    width: f64,
+    end: &End,
+    common: Option<View>,
+) -> Result<Picture, String> {
+    let radius = |otherwise: &str| {
+        let picture = radius_picture(folder, title, width).map(Picture::from);
+        picture.ok_or_else(|| otherwise.to_owned())
+    };
+    match end {
+        End::Unreadable(why) => Err(why.clone()),
+        End::NoSolid => radius("no fields of a metal and no radius of a bubble were written."),
+        End::Elastic => radius("the metal did not yield, and no radius of a bubble was written."),
+        End::Strained(state) => match common.or_else(|| state.view()) {
+            Some(view) => Ok(state.picture(title, view, width).into()),
+            None => Err("its particles have no places that could be drawn.".to_owned()),
+        },
+    }
 }
 
 /// The plastic strain at the end of a run; none if nothing yielded or nothing was written.
 #[must_use]
 pub fn final_picture(folder: &Path, title: &str, width: f64) -> Option<Picture> {
-    let end = EndState::read(folder)?;
+    let End::Strained(end) = End::read(folder) else {
+        return None;
+    };
     let view = end.view()?;
     Some(end.picture(title, view, width).into())
 }
@@ -71,6 +116,23 @@ mod tests {
             r: [-reach, reach],
             z: [-depth, 0.0],
         }
+    }
+
+    /// A run whose pictures cannot be read is not one whose metal stayed elastic.
+    #[test]
+    fn what_cannot_be_read_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("fields.pvd"), "<VTKFile").unwrap();
+        let runs = [("broken".to_owned(), folder.path().to_path_buf())];
+        let ends = small_multiples(&runs, 100.0);
+        assert!(ends.pictures.is_empty());
+        assert!(!ends.told.contains("yielded"), "{}", ends.told);
+        assert!(
+            ends.absent[0].contains("broken: ")
+                && ends.absent[0].contains("not as Erode writes it"),
+            "{:?}",
+            ends.absent
+        );
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::SweepError;
 use super::file::{self, List, SweepFile};
 use super::setting::{Setting, Value};
 use crate::case::estimate::estimate;
-use crate::case::{Case, CaseError, CaseErrors};
+use crate::case::{Case, CaseError, CaseErrors, Loaded};
 use crate::output::hash_hex;
 use std::path::{Path, PathBuf};
 
@@ -24,12 +24,31 @@ pub struct Planned {
     pub resolved: String,
     /// Fingerprint of that.
     pub hash: String,
-    /// About how many particles; 0 for a run without any.
+    /// About what it costs; unknown for a run without particles.
+    pub cost: Option<Cost>,
+}
+
+/// About what a run costs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// Particles.
     pub particles: f64,
-    /// About how many steps; 0 where unknown.
+    /// Steps.
     pub steps: f64,
-    /// About how long it takes, s.
+    /// Seconds of computing.
     pub seconds: f64,
+}
+
+impl Cost {
+    fn of(loaded: &Loaded) -> Option<Self> {
+        let estimate = estimate(&loaded.simulation);
+        let particles: f64 = estimate.particles.iter().sum();
+        (particles > 0.0).then_some(Self {
+            particles,
+            steps: estimate.steps,
+            seconds: estimate.wall_time,
+        })
+    }
 }
 
 /// A sweep whose cases are all correct.
@@ -65,19 +84,32 @@ impl Planned {
         let all = shared.iter().chain(settings);
         let overrides: Vec<String> = all.map(Setting::to_override).collect();
         let loaded = Case::load(case, &overrides, &[])?;
-        let cost = estimate(&loaded.simulation);
-        let particles: f64 = cost.particles.iter().sum();
-        let counted = particles > 0.0;
-        Ok(Self {
+        Ok(Self::of(name, settings, overrides, loaded))
+    }
+
+    /// Checks the case of a run that the program has as a text; `case_name` stands for its file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub(crate) fn check_text(
+        (case_name, text): (&str, &str),
+        name: &str,
+        settings: &[Setting],
+    ) -> Result<Self, CaseErrors> {
+        let overrides: Vec<String> = settings.iter().map(Setting::to_override).collect();
+        let loaded = Case::load_text(case_name, text, &overrides)?;
+        Ok(Self::of(name, settings, overrides, loaded))
+    }
+
+    fn of(name: &str, settings: &[Setting], overrides: Vec<String>, loaded: Loaded) -> Self {
+        Self {
             name: name.to_owned(),
             settings: settings.to_vec(),
             overrides,
+            cost: Cost::of(&loaded),
             hash: hash_hex(loaded.resolved_toml.as_bytes()),
             resolved: loaded.resolved_toml,
-            particles,
-            steps: if counted { cost.steps } else { 0.0 },
-            seconds: if counted { cost.wall_time } else { 0.0 },
-        })
+        }
     }
 
     /// The value of a key in this run.
@@ -251,7 +283,7 @@ fn names(drafts: &[Draft]) -> Vec<String> {
 }
 
 /// A text that can be part of a file name anywhere: letters, digits, and a few signs.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let kept = text.chars().filter(|c| !c.is_whitespace());
     let safe = kept.map(|c| {
         if c.is_alphanumeric() || "+-._=,".contains(c) {

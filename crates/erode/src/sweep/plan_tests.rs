@@ -1,4 +1,5 @@
 use super::*;
+use crate::case::keys::CASE;
 use std::fs;
 
 /// A sweep of the case of a single bubble, written to a folder of its own.
@@ -42,6 +43,31 @@ fn a_grid_takes_every_combination_and_a_zip_goes_along() {
     assert_eq!(last.value("run.end_time").unwrap().number, Some(20e-6));
     assert_eq!(last.value("run.end_time").unwrap().unit, "s");
     assert!(last.resolved.contains("radius = 1e-5"), "{}", last.resolved);
+}
+
+/// With or without a unit written, a number is in the unit of its key.
+#[test]
+fn units_are_those_of_the_keys() {
+    let text = format!(
+        "[zip]\n{RADIUS} = [8e-6, \"9 um\"]\n\"run.end_time\" = [1e-5, 2e-5]\n\"setup.single_bubble.tolerance\" = [1e-9, 1e-8]\n\
+         \"setup.single_bubble.liquid.density\" = [998, 1000]\n"
+    );
+    let plan = plan(&text, false).unwrap();
+    let units = |k: usize| -> Vec<String> {
+        let all = plan.runs[k].settings.iter();
+        all.map(|s| s.value.unit.clone()).collect()
+    };
+    assert_eq!(units(0), ["m", "s", "-", "kg/m3"]);
+    assert_eq!(units(1), units(0));
+    assert_eq!(plan.runs[1].settings[0].value.number, Some(9e-6));
+    let unit = |key: &str| CASE.dimension(key).map(|d| d.to_string());
+    assert_eq!(unit("probe.0.position").as_deref(), Some("m"));
+    assert_eq!(
+        unit("material.steel.solid.density.value").as_deref(),
+        Some("kg/m^3")
+    );
+    assert_eq!(unit("run.frobnicate"), None);
+    assert_eq!(unit("run"), None);
 }
 
 #[test]
@@ -92,6 +118,17 @@ fn wrong_files_are_told_with_their_place() {
         "[set]\n{RADIUS} = 1e-6\n[grid]\n{RADIUS} = [2e-6]\n"
     ));
     assert!(twice.contains("more than once"), "{twice}");
+    let hidden = complaint(&format!(
+        "[quick]\n{RADIUS} = 1e-6\n[grid]\n{RADIUS} = [2e-6, 3e-6]\n"
+    ));
+    assert!(
+        hidden.contains("radius` is given more than once"),
+        "{hidden}"
+    );
+    let alike = complaint(&format!(
+        "[[run]]\nname = \"a b\"\n{RADIUS} = 1e-6\n[[run]]\nname = \"ab\"\n{RADIUS} = 2e-6\n"
+    ));
+    assert!(alike.contains("two runs have the name `ab`"), "{alike}");
     assert!(complaint("").contains("varies nothing"));
 }
 

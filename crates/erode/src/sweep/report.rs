@@ -107,22 +107,17 @@ fn ends(page: &mut Page, plan: &Plan, folder: &Folder, results: &Results) {
         .filter(|(_, o)| o.is_complete())
         .map(|(r, _)| (heading(plan, r), folder.run(&r.name)))
         .collect();
-    let (pictures, one_scale) = small_multiples(&runs, WIDTH);
-    if pictures.is_empty() {
-        page.absent("No run has written fields with plastic strain, or a radius.");
-        return;
+    let ends = small_multiples(&runs, WIDTH);
+    if runs.is_empty() {
+        page.absent("No run is complete.");
+    } else if !ends.pictures.is_empty() {
+        page.paragraph(ends.told);
+        let figures = ends.pictures.into_iter().map(|p| (p.svg, p.caption));
+        page.multiples(&figures.collect::<Vec<_>>());
     }
-    let missing = runs.len() - pictures.len();
-    page.paragraph(match one_scale {
-        Some(true) => "All to one scale in space; colours by the bar of each.",
-        Some(false) => "Each to its own scale in space; colours by the bar of each.",
-        None => "No metal yielded: the radius of the bubble over time.",
-    });
-    if missing > 0 {
-        page.absent(&format!("{missing} run(s) have nothing to show."));
+    for sentence in &ends.absent {
+        page.absent(sentence);
     }
-    let figures: Vec<(String, String)> = pictures.into_iter().map(|p| (p.svg, p.caption)).collect();
-    page.multiples(&figures);
 }
 
 /// The varied values of a run in words.

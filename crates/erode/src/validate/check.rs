@@ -12,6 +12,10 @@ pub enum Kind {
     Absolute,
     /// value at least the reference.
     AtLeast,
+    /// value more than the reference.
+    MoreThan,
+    /// To be judged, but a number that it needs could not be determined: never passed.
+    NoData,
     /// Only shown beside its reference (error relative to it), not judged.
     Shown,
 }
@@ -108,6 +112,44 @@ impl Check {
         }
     }
 
+    /// A value that must be larger than `bound`.
+    #[must_use]
+    pub fn more_than(
+        quantity: impl Into<String>,
+        unit: &str,
+        value: f64,
+        bound: f64,
+        reason: &str,
+    ) -> Self {
+        Self {
+            kind: Kind::MoreThan,
+            passed: value > bound,
+            ..Self::at_least(quantity, unit, value, bound, reason)
+        }
+    }
+
+    /// The same check, not judged because of what is not known.
+    #[must_use]
+    pub fn without_data(self, why: &str) -> Self {
+        Self {
+            kind: Kind::NoData,
+            error: None,
+            tolerance: None,
+            reason_for_tolerance: format!(
+                "not judged: {why}; to be judged: {}",
+                self.reason_for_tolerance
+            ),
+            passed: false,
+            ..self
+        }
+    }
+
+    /// Whether it was judged.
+    #[must_use]
+    pub fn is_judged(&self) -> bool {
+        !matches!(self.kind, Kind::Shown | Kind::NoData)
+    }
+
     /// A value that is shown, beside its reference where there is one; `reason` says why it is not judged.
     #[must_use]
     pub fn shown(
@@ -138,6 +180,25 @@ mod tests {
         assert!(absolute(-9e-4) && !absolute(-1.1e-3));
         assert!(!Check::at_least("order", "-", 0.79, 0.8, "").passed);
         assert!(Check::at_least("order", "-", 0.8, 0.8, "").passed);
+    }
+
+    #[test]
+    fn a_bound_that_must_be_exceeded_is_not_met_by_equality() {
+        let more = |value| Check::more_than("ratio", "-", value, 1.0, "").passed;
+        assert!(more(1.0 + 1e-12) && !more(1.0) && !more(f64::NAN));
+    }
+
+    #[test]
+    fn a_check_without_data_is_neither_judged_nor_passed() {
+        let check = Check::at_least("ratio", "-", f64::INFINITY, 1.0, "so it says");
+        assert!(check.passed);
+        let check = check.without_data("the metal did not yield");
+        assert!(!check.passed && !check.is_judged());
+        assert!(
+            check
+                .reason_for_tolerance
+                .starts_with("not judged: the metal did not yield")
+        );
     }
 
     #[test]

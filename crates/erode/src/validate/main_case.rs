@@ -5,6 +5,7 @@
 
 use super::check::Check;
 use super::{Failure, Finding, Validation};
+use crate::analysis::published::{ATTACHED_STRAIN, DETACHED_STRAIN};
 use crate::output::Summary;
 use crate::run::{self, Observer, Progress, Start};
 use std::fs;
@@ -42,12 +43,12 @@ struct Source {
 impl Source {
     const DETACHED: Self = Self {
         case: include_str!("../../../../cases/bubble-near-steel/case.toml"),
-        max_plastic_strain: 0.0023,
+        max_plastic_strain: DETACHED_STRAIN,
         off_axis: true,
     };
     const ATTACHED: Self = Self {
         case: include_str!("../../../../cases/bubble-attached/case.toml"),
-        max_plastic_strain: 0.0083,
+        max_plastic_strain: ATTACHED_STRAIN,
         off_axis: false,
     };
 }

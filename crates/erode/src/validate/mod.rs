@@ -13,6 +13,7 @@ mod columns;
 mod erosion_formulae;
 mod error;
 mod figure;
+mod gas_rebound;
 mod gaussian_pressure_static;
 mod indentation_axisym;
 mod indentation_planestrain;
@@ -86,16 +87,23 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Number of missed tolerances; a validation that failed counts as one.
+    /// Number of missed tolerances; a validation that failed counts as one, what could not be judged is not counted.
     #[must_use]
     pub fn missed(&self) -> usize {
-        let missed = self.finding.checks.iter().filter(|c| !c.passed).count();
-        missed + usize::from(self.failure.is_some())
+        let missed = |c: &&Check| c.is_judged() && !c.passed;
+        self.finding.checks.iter().filter(missed).count() + usize::from(self.failure.is_some())
+    }
+
+    /// Number of checks that could not be judged for want of data.
+    #[must_use]
+    pub fn without_data(&self) -> usize {
+        let all = self.finding.checks.iter();
+        all.filter(|c| c.kind == Kind::NoData).count()
     }
 }
 
 /// All validations in the order in which they are run.
-pub const ALL: [Validation; 18] = [
+pub const ALL: [Validation; 19] = [
     johnson_cook_point::VALIDATION,
     axis_consistency::VALIDATION,
     stress_waves::BAR,
@@ -107,6 +115,7 @@ pub const ALL: [Validation; 18] = [
     indentation_planestrain::VALIDATION,
     gaussian_pressure_static::VALIDATION,
     rayleigh_collapse::VALIDATION,
+    gas_rebound::VALIDATION,
     main_case::DETACHED,
     main_case::ATTACHED,
     bubble::RAYLEIGH,

@@ -18,7 +18,11 @@ pub(super) fn value(x: f64) -> String {
 
 /// What the value should be.
 pub(super) fn reference(c: &Check) -> String {
-    let bound = if c.kind == Kind::AtLeast { ">= " } else { "" };
+    let bound = match c.kind {
+        Kind::AtLeast => ">= ",
+        Kind::MoreThan => "> ",
+        _ => "",
+    };
     c.reference
         .map_or_else(|| "-".into(), |r| format!("{bound}{}", value(r)))
 }
@@ -28,7 +32,7 @@ pub(super) fn error(c: &Check) -> String {
     let Some(e) = c.error else { return "-".into() };
     match c.kind {
         Kind::Relative | Kind::Shown => percent(e, true),
-        Kind::Absolute | Kind::AtLeast => value(e),
+        Kind::Absolute | Kind::AtLeast | Kind::MoreThan | Kind::NoData => value(e),
     }
 }
 
@@ -54,10 +58,11 @@ fn percent(x: f64, signed: bool) -> String {
     }
 }
 
-/// pass, MISS, or shown.
+/// pass, MISS, NO DATA, or shown.
 pub(super) fn verdict(c: &Check) -> &'static str {
     match (c.passed, c.kind) {
         (_, Kind::Shown) => "shown",
+        (_, Kind::NoData) => "NO DATA",
         (true, _) => "pass",
         (false, _) => "MISS",
     }

@@ -24,9 +24,13 @@ pub fn text(outcome: &Outcome) -> String {
     if let Some(failure) = &outcome.failure {
         let _ = writeln!(out, "  FAILED: {failure}");
     }
+    let without = match outcome.without_data() {
+        0 => String::new(),
+        n => format!("{n} not judged for want of data, "),
+    };
     let _ = writeln!(
         out,
-        "  {} of {} missed, {:.1} s",
+        "  {} of {} missed, {without}{:.1} s",
         outcome.missed(),
         checks.len() + usize::from(outcome.failure.is_some()),
         outcome.seconds

@@ -49,6 +49,12 @@ fn all_runs_end_in_one_table_and_one_report() {
         "{dry}"
     );
     assert!(!out.exists(), "a dry run writes nothing");
+    // A bubble has no particles, by which alone the cost could be told.
+    assert!(
+        dry.contains("unknown") && dry.contains("3 left; what they cost is not known"),
+        "{dry}"
+    );
+    assert!(!dry.contains("less than"), "{dry}");
     let json = out.with_extension("json");
     let said = says(&["sweep", &file, "-o", to, "--json", json.to_str().unwrap()]);
     assert!(said.contains("3 of 3 runs complete"), "{said}");
@@ -157,22 +163,106 @@ fn a_changed_case_is_seen() {
     assert!(out.join("runs/radius=6um.old-1/summary.json").exists());
 }
 
+/// A folder with other things in it is no folder for a sweep, whatever is accepted.
 #[test]
-fn a_run_that_fails_stops_none_of_the_others() {
-    let (file, out) = sweep("failing", &format!("[grid]\n{RADII}\n"));
+fn files_of_others_are_kept() {
+    let (file, out) = sweep("foreign", &format!("[grid]\n{RADII}\n"));
     let to = out.to_str().unwrap();
-    says(&["sweep", &file, "-o", to]);
-    // A checkpoint that cannot be read, of a run that is not complete.
+    let theirs =
+        ["notes.txt", "cases/mine.toml", "runs/old.dat", "sweep.toml"].map(|f| out.join(f));
+    for path in &theirs {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "mine").unwrap();
+    }
+    for more in [&["--accept-changes"][..], &[]] {
+        let said = refused(&[&["sweep", &file, "-o", to], more].concat(), 1);
+        assert!(said.contains("is not empty"), "{said}");
+        for path in &theirs {
+            assert_eq!(fs::read_to_string(path).unwrap(), "mine");
+        }
+        assert!(!out.join("plan").exists() && !out.join("results.csv").exists());
+    }
+}
+
+/// What lies in the folder of a run that is not complete, or not by this program, is told for what it is.
+#[test]
+fn runs_that_cannot_be_used_are_told_apart() {
+    let (file, out) = sweep("unfit", &format!("[grid]\n{RADII}\n"));
+    let args = ["sweep", &file, "-o", out.to_str().unwrap()];
+    says(&args);
+    let older = out.join("runs/radius=6um/summary.json");
+    let text = fs::read_to_string(&older).unwrap();
+    let version = format!("\"erode\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    assert!(text.contains(&version), "{text}");
+    fs::write(&older, text.replace(&version, "\"erode\": \"0.0.1\"")).unwrap();
+    let begun = out.join("runs/radius=8um");
+    fs::remove_file(begun.join("summary.json")).unwrap();
+    fs::remove_dir_all(begun.join("checkpoints")).unwrap();
+    let dry = says(&[&args[..], &["--dry-run"]].concat());
+    let line = |name: &str| dry.lines().find(|l| l.contains(name)).unwrap().to_owned();
+    assert!(
+        line("radius=6um").contains("by another version of Erode: set aside"),
+        "{dry}"
+    );
+    assert!(
+        line("radius=8um").contains("without a usable checkpoint: set aside"),
+        "{dry}"
+    );
+    assert!(line("radius=10um").ends_with("complete"), "{dry}");
+    let said = says(&args);
+    assert!(said.contains("3 of 3 runs complete"), "{said}");
+    assert!(out.join("runs/radius=6um.old-1/summary.json").exists());
+}
+
+/// With all checkpoints damaged, the same command begins the run anew and loses nothing.
+#[test]
+fn a_run_without_a_whole_checkpoint_begins_anew() {
+    let (file, out) = sweep("damaged", &format!("[grid]\n{RADII}\n"));
+    let args = ["sweep", &file, "-o", out.to_str().unwrap()];
+    says(&args);
     let run = out.join("runs/radius=8um");
     fs::remove_file(run.join("summary.json")).unwrap();
     for path in super::common::checkpoints(&run) {
         fs::write(path, "nothing").unwrap();
     }
+    let said = says(&args);
+    assert!(
+        said.contains("there is no usable checkpoint") && said.contains("was moved to"),
+        "{said}"
+    );
+    assert!(said.contains("3 of 3 runs complete"), "{said}");
+    let old = out.join("runs/radius=8um.old-1/checkpoints");
+    assert!(fs::read_dir(old).unwrap().next().is_some());
+}
+
+#[test]
+fn what_was_found_is_told_before_a_file_that_cannot_be_written() {
+    let (file, out) = sweep("unwritten", &format!("[grid]\n{RADII}\n"));
+    let to = out.to_str().unwrap();
+    let output = super::common::erode(&["sweep", &file, "-o", to, "--json", "/dev/null/x.json"]);
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.contains("3 of 3 runs complete"), "{said}");
+    let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        complaint.contains("x.json cannot be written"),
+        "{complaint}"
+    );
+}
+
+#[test]
+fn a_run_that_fails_stops_none_of_the_others() {
+    let (file, out) = sweep("failing", &format!("[grid]\n{RADII}\n"));
+    let to = out.to_str().unwrap();
+    says(&["sweep", &file, "-o", to]);
+    // A run that is not complete, and of which another process has the folder.
+    let run = out.join("runs/radius=8um");
+    fs::remove_file(run.join("summary.json")).unwrap();
+    let _other = erode::output::lock::RunLock::acquire(&run).unwrap();
     fs::remove_dir_all(out.join("runs/radius=10um")).unwrap();
     let said = refused(&["sweep", &file, "-o", to], 2);
     assert!(
-        said.contains("1 run(s) failed")
-            && said.contains("radius=8um: there is no usable checkpoint"),
+        said.contains("1 run(s) failed") && said.contains("is in use by another process"),
         "{said}"
     );
     let table = table(&out);

@@ -174,14 +174,13 @@ fn check_summary(dir: &Path) {
         ] {
             assert!(scalar(name) > 0.0, "`{name}`");
         }
-        for name in [
-            "max_plastic_strain",
-            "max_plastic_strain_r",
-            "max_plastic_strain_depth",
-            "plastic_work",
-            "plastic_volume",
-        ] {
+        for name in ["max_plastic_strain", "plastic_work", "plastic_volume"] {
             assert!(scalar(name) >= 0.0, "`{name}`");
+        }
+        // Metal that did not yield has no place of largest strain: so few particles make a weak jet.
+        let yielded = scalar("plastic_volume") > 0.0;
+        for name in ["max_plastic_strain_r", "max_plastic_strain_depth"] {
+            assert_eq!(all[name].is_number(), yielded, "`{name}` is {}", all[name]);
         }
         scalar("pit_depth");
     } else {

@@ -1,7 +1,7 @@
 //! Calculations that go wrong stop with a place and an explanation.
 
 use super::common::{CASE, checkpoints, erode, fresh, says, start, text};
-use erode::output::Snapshot;
+use erode::output::{Collection, Snapshot};
 use std::path::Path;
 
 /// What every message of an instability must tell.
@@ -25,6 +25,18 @@ fn assert_explained(said: &str, body: &str) {
     );
 }
 
+/// Every snapshot that lies there is listed, the last one before the failure too.
+fn assert_all_listed(dir: &Path) {
+    let listed = Collection::read(&dir.join("fields.pvd")).unwrap();
+    let mut listed: Vec<_> = listed.entries().iter().map(|e| dir.join(&e.file)).collect();
+    listed.sort();
+    let files = std::fs::read_dir(dir.join("fields")).unwrap();
+    let mut there: Vec<_> = files.map(|f| f.unwrap().path()).collect();
+    there.sort();
+    assert!(!there.is_empty());
+    assert_eq!(listed, there);
+}
+
 fn particles(path: &Path) -> usize {
     Snapshot::read(path).unwrap().points.len()
 }
@@ -39,6 +51,7 @@ fn a_time_step_ten_times_too_large_is_found_in_the_metal() {
     assert_eq!(output.status.code(), Some(2), "{said}");
     assert_explained(&said, "wall");
     assert!(said.contains("10.0 times the usual one"), "{said}");
+    assert_all_listed(&dir);
     let near = particles(&dir.join("failure_wall.vtu"));
     let all = particles(&dir.join("fields/wall_000000.vtu"));
     assert!(0 < near && near < all, "{near} of {all} particles");
@@ -77,6 +90,7 @@ fn liquid_alone(name: &str, safety: &str) -> String {
     let said = text(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{said}");
     assert!(particles(&dir.join("failure.vtu")) > 0);
+    assert_all_listed(&dir);
     said
 }
 

@@ -238,3 +238,48 @@ fn a_refined_run_goes_on_to_the_same_bits() {
     says(&["resume", dirs[1].to_str().unwrap(), "--threads", "1"]);
     assert_identical(&dirs[0], &dirs[1]);
 }
+
+#[test]
+fn a_gas_bubble_comes_back_and_goes_on_to_the_same_bits() {
+    let whole = finished("gas-rebound").dir;
+    let all = summary(&whole);
+    let number = |key: &str| all[key].as_f64().unwrap();
+    // Keller and Miksis: 0.288 and 18.6 MPa; six particles per radius leave less than two at the smallest radius.
+    let smallest = number("smallest_bubble_radius") / 1e-4;
+    assert!((smallest - 0.288).abs() < 0.06, "{smallest}");
+    assert!(number("max_gas_pressure") > 5e6 && number("gas_parts") == 1.0);
+    let dir = fresh("gas-stopped");
+    let mut child = start("gas-rebound", &dir, &["--threads", "1"]);
+    until("two checkpoints", || checkpoints(&dir).len() == 2);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    says(&["resume", dir.to_str().unwrap(), "--threads", "2"]);
+    assert_identical(&dir, &whole);
+}
+
+#[test]
+fn a_coated_solid_goes_on_to_the_same_bits() {
+    let whole = finished("coated-steel").dir;
+    let layers = summary(&whole)["layers"].as_array().unwrap().clone();
+    let of = |key: &'static str| layers.iter().map(move |l| l[key].as_f64().unwrap());
+    // The copper is thicker than two of the coarse spacings, and both metals yield.
+    let thick: Vec<f64> = of("resolved_thickness").collect();
+    assert!(
+        layers.len() == 2 && (thick[0] / 20e-6 - 1.0).abs() < 0.25,
+        "{layers:?}"
+    );
+    assert!(of("max_plastic_strain").all(|e| e > 1e-3), "{layers:?}");
+    let total: f64 = of("plastic_work").sum();
+    let told = summary(&whole)["plastic_work"].as_f64().unwrap();
+    assert!((total / told - 1.0).abs() < 1e-9);
+    let report = fs::read_to_string(whole.join("report/index.html")).unwrap();
+    assert!(report.contains("copper_ofhc") && report.contains("Layers"));
+
+    let dir = fresh("coated-stopped");
+    let mut child = start("coated-steel", &dir, &["--threads", "1"]);
+    until("two checkpoints", || checkpoints(&dir).len() == 2);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    says(&["resume", dir.to_str().unwrap(), "--threads", "2"]);
+    assert_identical(&dir, &whole);
+}

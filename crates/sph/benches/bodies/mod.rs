@@ -8,7 +8,7 @@ use erode_sph::Geometry;
 use erode_sph::fluid::ghosts::Plane;
 use erode_sph::fluid::{Fluid, Formulation, Start, corrected};
 use erode_sph::geometry::Vec2;
-use erode_sph::neighbours::cell_order;
+use erode_sph::neighbours::compact_order;
 use erode_sph::solid::{Block, Face, Numerics, Setup, Solid, SolidError};
 use erode_sph::world::{Body, Named, World, WorldError};
 
@@ -20,7 +20,7 @@ pub(crate) fn lattice(across: usize) -> (Vec<Vec2>, f64) {
     let dx = SIDE / across as f64;
     let place = |k: usize| [k % across, k / across].map(|i| (i as f64 + 0.5) * dx);
     let position: Vec<Vec2> = (0..across * across).map(place).collect();
-    let order = cell_order(&position, &vec![1.3 * dx; position.len()]);
+    let order = compact_order(&position);
     let sorted = order.iter().map(|&i| position[i as usize]).collect();
     (sorted, dx * dx)
 }

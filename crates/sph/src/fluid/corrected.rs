@@ -5,7 +5,6 @@
 use crate::fluid::refinement::Changes;
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum, shifting};
-use crate::geometry::Vec2;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -56,21 +55,22 @@ pub struct Account {
     pub refinement: Changes,
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Volume of one step; exchange of volume by shifting. Returns the shifting velocities, m/s.
     pub(crate) fn exchange_volume(
         &mut self,
         s: &Settings,
-        sweep: &mut Sweep,
+        sweep: &mut Sweep<D>,
         dt: f64,
-    ) -> Vec<Vec2> {
-        let kinematics = &sweep.kinematics;
-        let work = |a: usize| self.pressure[a] * kinematics[a].exchange;
+    ) -> Vec<[f64; D]> {
+        let found = &*sweep;
+        let work = |a: usize| self.pressure[a] * found.kinematics(a).exchange;
         self.account.dissipation += dt * ordered_sum(self.len(), work);
         let (mass, density) = (&self.mass, self.eos.reference_density);
-        let parted = (self.volume.par_iter_mut().zip(kinematics).enumerate())
+        let parted = (self.volume.par_iter_mut().enumerate())
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, (volume, k))| {
+            .map(|(a, volume)| {
+                let k = found.kinematics(a);
                 *volume *= (dt * (k.divergence + k.exchange / *volume)).exp();
                 let largest = swelling(k.support) * mass[a] / density;
                 let parts = *volume > largest;
@@ -80,9 +80,9 @@ impl Fluid {
                 u64::from(parts)
             });
         self.account.parted += parted.sum::<u64>();
-        let shift: Vec<Vec2> = (self.smoothing_length.par_iter().zip(kinematics))
+        let shift: Vec<[f64; D]> = (self.smoothing_length.par_iter().enumerate())
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(h, k)| shifting::velocity(*h, k, s))
+            .map(|(a, h)| shifting::velocity(*h, found.kinematics(a), s))
             .collect();
         shifting::exchange(self, sweep, &shift, dt);
         shift

@@ -2,12 +2,12 @@
 
 use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
-use crate::geometry::Vec2;
+use crate::geometry::length;
 
 /// Liquid and ghosts at one instant, in arrays of equal length: particles first, then ghosts.
-pub(crate) struct Extended {
-    pub(crate) position: Vec<Vec2>,
-    pub(crate) velocity: Vec<Vec2>,
+pub(crate) struct Extended<const D: usize> {
+    pub(crate) position: Vec<[f64; D]>,
+    pub(crate) velocity: Vec<[f64; D]>,
     pub(crate) area: Vec<f64>,
     pub(crate) pressure: Vec<f64>,
     pub(crate) density: Vec<f64>,
@@ -15,9 +15,9 @@ pub(crate) struct Extended {
     pub(crate) smoothing_length: Vec<f64>,
 }
 
-impl Extended {
+impl<const D: usize> Extended<D> {
     /// Snapshot with the given velocities (those of the particles or a prediction of them).
-    pub(crate) fn new(fluid: &Fluid, ghosts: &Ghosts, velocity: &[Vec2]) -> Self {
+    pub(crate) fn new(fluid: &Fluid<D>, ghosts: &Ghosts<D>, velocity: &[[f64; D]]) -> Self {
         let n = fluid.len();
         let area: Vec<f64> = (0..n).map(|a| fluid.area(a)).collect();
         let density: Vec<f64> = (0..n).map(|a| fluid.density(a)).collect();
@@ -38,25 +38,25 @@ impl Extended {
 
     /// Separation x_a - x_b, distance, and area-weighted gradient factor A_b W'/distance of a pair; none out of support.
     #[inline]
-    pub(crate) fn pair(&self, a: usize, b: usize) -> Option<Pair> {
+    pub(crate) fn pair(&self, a: usize, b: usize) -> Option<Pair<D>> {
         let (xa, xb) = (self.position[a], self.position[b]);
-        let d = [xa[0] - xb[0], xa[1] - xb[1]];
-        let distance = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        let d: [f64; D] = std::array::from_fn(|k| xa[k] - xb[k]);
+        let distance = length(d);
         let h = 0.5 * (self.smoothing_length[a] + self.smoothing_length[b]);
         (distance < crate::kernel::SUPPORT * h && distance > 0.0).then(|| Pair {
             separation: d,
             distance,
             h,
-            factor: crate::kernel::gradient_factor(distance, h),
+            factor: crate::kernel::gradient_factor_in::<D>(distance, h),
         })
     }
 }
 
 /// Geometry of a pair.
-pub(crate) struct Pair {
-    pub(crate) separation: Vec2,
+pub(crate) struct Pair<const D: usize> {
+    pub(crate) separation: [f64; D],
     pub(crate) distance: f64,
     pub(crate) h: f64,
-    /// (dW/ddistance)/distance, 1/m4.
+    /// (dW/ddistance)/distance, 1/m^(D + 2).
     pub(crate) factor: f64,
 }

@@ -7,14 +7,14 @@
 
 use crate::fluid::Fluid;
 use crate::fluid::ghosts::Plane;
-use crate::geometry::Vec2;
+use crate::geometry::dot;
 use erode_physics::eos::Tait;
 
 /// What lies outside a particle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FarField {
+pub struct FarField<const D: usize = 2> {
     /// Outward unit normal; zero for particles without a far field.
-    pub normal: Vec2,
+    pub normal: [f64; D],
     /// Pressure of the undisturbed far field, Pa.
     pub pressure: f64,
     /// Pressure behind the entering step, Pa; equal to `pressure` when there is none.
@@ -27,10 +27,10 @@ pub struct FarField {
     pub face_area: f64,
 }
 
-impl FarField {
+impl<const D: usize> FarField<D> {
     /// No far field.
     pub const NONE: Self = Self {
-        normal: [0.0; 2],
+        normal: [0.0; D],
         pressure: 0.0,
         step_pressure: 0.0,
         start: 0.0,
@@ -41,7 +41,7 @@ impl FarField {
     /// Whether there is one.
     #[must_use]
     pub fn is_some(&self) -> bool {
-        self.normal != [0.0; 2]
+        self.normal != [0.0; D]
     }
 
     /// Part of the step that has entered at `time`: a smooth rise.
@@ -58,13 +58,13 @@ impl FarField {
 
     /// Pressure (Pa) on the outside of a particle (zero without a far field) that moves with `velocity` at `time`.
     #[must_use]
-    pub fn pressure_outside(&self, eos: &Tait, velocity: Vec2, time: f64) -> f64 {
+    pub fn pressure_outside(&self, eos: &Tait, velocity: [f64; D], time: f64) -> f64 {
         if !self.is_some() {
             return 0.0;
         }
         let integral = |p: f64| eos.riemann_integral(eos.density(p));
         let step = self.pressure + self.risen(time) * (self.step_pressure - self.pressure);
-        let u = velocity[0] * self.normal[0] + velocity[1] * self.normal[1];
+        let u = dot(velocity, self.normal);
         let f = u + 2.0 * integral(step) - integral(self.pressure);
         eos.pressure_of_riemann_integral(f).max(0.0)
     }

@@ -4,65 +4,74 @@
 //! speed of the mirror. In this way the axis, a wall and a moving metal surface need no case of their own in the sums.
 
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
-use crate::geometry::{Geometry, Vec2};
+use crate::geometry::{Geometry, dot};
 use rayon::prelude::*;
 
-/// A plane (line) in which particles are mirrored.
+/// A plane (a line in plane motion) in which particles are mirrored.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
+pub struct Plane<const D: usize = 2> {
     /// Unit normal pointing into the liquid.
-    pub normal: Vec2,
+    pub normal: [f64; D],
     /// n . x on the plane, m.
     pub offset: f64,
     /// Speed of the plane along its normal, m/s.
     pub speed: f64,
 }
 
-impl Plane {
+impl<const D: usize> Plane<D> {
+    /// The axis of rotation.
+    const AXIS: Self = {
+        let mut normal = [0.0; D];
+        normal[0] = 1.0;
+        Self {
+            normal,
+            offset: 0.0,
+            speed: 0.0,
+        }
+    };
+
     /// Distance of a point from the plane, positive on the liquid side.
     #[must_use]
-    pub fn distance(&self, x: Vec2) -> f64 {
-        self.normal[0] * x[0] + self.normal[1] * x[1] - self.offset
+    pub fn distance(&self, x: [f64; D]) -> f64 {
+        dot(self.normal, x) - self.offset
     }
 
-    fn reflect(&self, x: Vec2, about: f64) -> Vec2 {
-        let d = self.normal[0] * x[0] + self.normal[1] * x[1] - about;
-        [
-            x[0] - 2.0 * d * self.normal[0],
-            x[1] - 2.0 * d * self.normal[1],
-        ]
+    fn reflect(&self, x: [f64; D], about: f64) -> [f64; D] {
+        let d = dot(self.normal, x) - about;
+        std::array::from_fn(|k| x[k] - 2.0 * d * self.normal[k])
     }
 
     /// Mirror image of a point.
     #[must_use]
-    pub fn mirror(&self, x: Vec2) -> Vec2 {
+    pub fn mirror(&self, x: [f64; D]) -> [f64; D] {
         self.reflect(x, self.offset)
     }
 
     /// Mirror image of a direction (shifting, acceleration).
     #[must_use]
-    pub fn mirror_direction(&self, d: Vec2) -> Vec2 {
+    pub fn mirror_direction(&self, d: [f64; D]) -> [f64; D] {
         self.reflect(d, 0.0)
     }
 
     /// Mirror image of a tensor, Q g Q with Q = 1 - 2 n n.
     #[must_use]
-    pub fn mirror_tensor(&self, g: [Vec2; 2]) -> [Vec2; 2] {
-        let columns = [0, 1].map(|j| self.mirror_direction([g[0][j], g[1][j]]));
-        [0, 1].map(|i| self.mirror_direction([columns[0][i], columns[1][i]]))
+    pub fn mirror_tensor(&self, g: [[f64; D]; D]) -> [[f64; D]; D] {
+        let column = |m: &[[f64; D]; D], j: usize| m.map(|row| row[j]);
+        let columns = std::array::from_fn(|j| self.mirror_direction(column(&g, j)));
+        std::array::from_fn(|i| self.mirror_direction(column(&columns, i)))
     }
 
     /// Mirror image of a velocity.
     #[must_use]
-    pub fn mirror_velocity(&self, v: Vec2) -> Vec2 {
+    pub fn mirror_velocity(&self, v: [f64; D]) -> [f64; D] {
         self.reflect(v, self.speed)
     }
 }
 
 /// A wall of the liquid: finds the tangent plane nearest to a point.
-pub trait Wall: Sync {
+pub trait Wall<const D: usize = 2>: Sync {
     /// Tangent plane at the foot of `x`; none when `x` is farther away than `reach`.
-    fn plane(&self, x: Vec2, reach: f64) -> Option<Plane>;
+    fn plane(&self, x: [f64; D], reach: f64) -> Option<Plane<D>>;
 
     /// Whether it belongs to a body that the liquid pushes.
     fn is_surface(&self) -> bool {
@@ -75,7 +84,7 @@ pub trait Wall: Sync {
     }
 }
 
-/// A strip in which a wall is never higher than `top`.
+/// A strip in which a wall is never higher than `top`, in plane and axisymmetric motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shadow {
     /// Range of the first coordinate, m.
@@ -89,25 +98,25 @@ pub struct Shadow {
 impl Shadow {
     /// Whether the tangent at the foot of `x` is surely farther away than `reach`.
     #[must_use]
-    pub fn is_clear(&self, x: Vec2, reach: f64) -> bool {
+    pub fn is_clear<const D: usize>(&self, x: [f64; D], reach: f64) -> bool {
         let inside = x[0] >= self.ends[0] && x[0] <= self.ends[1];
         inside && (x[1] - self.top) * self.cosine > reach
     }
 }
 
-impl Wall for Plane {
-    fn plane(&self, x: Vec2, reach: f64) -> Option<Plane> {
+impl<const D: usize> Wall<D> for Plane<D> {
+    fn plane(&self, x: [f64; D], reach: f64) -> Option<Self> {
         (self.distance(x) < reach).then_some(*self)
     }
 }
 
 /// Sources and planes of all ghosts; entry k is particle `n + k` of the extended arrays.
-#[derive(Debug, Clone, Default)]
-pub struct Ghosts {
+#[derive(Debug, Clone)]
+pub struct Ghosts<const D: usize = 2> {
     /// Particle (or earlier ghost) that is mirrored.
     pub source: Vec<u32>,
     /// Plane in which it is mirrored.
-    pub plane: Vec<Plane>,
+    pub plane: Vec<Plane<D>>,
     /// Wall that made the ghost or its source (index into the list of walls); `AXIS` for the axis alone.
     pub wall: Vec<u32>,
     /// Whether that wall belongs to a body that the liquid pushes.
@@ -120,17 +129,22 @@ pub const AXIS: u32 = u32::MAX;
 /// A particle is mirrored when nearer than this many smoothing lengths: support 2 plus room for graded spacing.
 const REACH: f64 = 2.5;
 
-const AXIS_PLANE: Plane = Plane {
-    normal: [1.0, 0.0],
-    offset: 0.0,
-    speed: 0.0,
-};
+impl<const D: usize> Default for Ghosts<D> {
+    fn default() -> Self {
+        Self {
+            source: Vec::new(),
+            plane: Vec::new(),
+            wall: Vec::new(),
+            surface: Vec::new(),
+        }
+    }
+}
 
-impl Ghosts {
+impl<const D: usize> Ghosts<D> {
     /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too. Of each wall, in
     /// the order of the clusters.
     #[must_use]
-    pub fn find(fluid: &Fluid, walls: &[&dyn Wall]) -> Self {
+    pub fn find(fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) -> Self {
         let mut ghosts = Self::default();
         for (w, wall) in walls.iter().enumerate() {
             let shadow = wall.shadow();
@@ -151,14 +165,14 @@ impl Ghosts {
     }
 
     /// Particles and the ghosts so far, mirrored at the axis.
-    fn mirror_axis(&mut self, fluid: &Fluid) {
+    fn mirror_axis(&mut self, fluid: &Fluid<D>) {
         let n = fluid.len();
-        let near = |x: Vec2, h: f64| (x[0] < REACH * h).then_some(AXIS_PLANE);
+        let near = |x: [f64; D], h: f64| (x[0] < REACH * h).then_some(Plane::AXIS);
         let own = select(fluid, |a| {
             near(fluid.position[a], fluid.smoothing_length[a])
         });
         let walls = self.source.len();
-        let mut images: Vec<Vec2> = Vec::with_capacity(walls);
+        let mut images: Vec<[f64; D]> = Vec::with_capacity(walls);
         for (&source, plane) in self.source.iter().zip(&self.plane) {
             let x = match (source as usize).checked_sub(n) {
                 None => fluid.position[source as usize],
@@ -177,18 +191,20 @@ impl Ghosts {
         }
     }
 
-    fn push(&mut self, source: usize, plane: Plane, wall: u32, surface: bool) {
+    fn push(&mut self, source: usize, plane: Plane<D>, wall: u32, surface: bool) {
         self.surface.push(surface);
         self.source.push(source as u32);
         self.plane.push(plane);
         self.wall.push(wall);
     }
 
-    /// Ghosts of the first walls, mirrored once more in later walls, fill the corners.
-    fn mirror_corners(&mut self, fluid: &Fluid, walls: &[&dyn Wall]) {
+    /// Ghosts of the first walls, mirrored once more in later walls, fill the edges and corners.
+    fn mirror_corners(&mut self, fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) {
         let n = fluid.len();
-        for k in 0..self.source.len() {
-            let a = self.source[k] as usize;
+        let mut k = 0;
+        // Images of images in a third wall are found on the way.
+        while k < self.source.len() {
+            let a = self.particle(n, n + k);
             let reach = REACH * fluid.smoothing_length[a];
             for (w, wall) in walls.iter().enumerate().skip(self.wall[k] as usize + 1) {
                 if let Some(plane) = wall.plane(fluid.position[a], reach) {
@@ -196,16 +212,17 @@ impl Ghosts {
                     self.push(n + k, plane, w as u32, surface);
                 }
             }
+            k += 1;
         }
     }
 
     /// The same ghosts with the planes where the walls are now.
     #[must_use]
-    pub fn refresh(&self, fluid: &Fluid, walls: &[&dyn Wall]) -> Self {
+    pub fn refresh(&self, fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) -> Self {
         let mut ghosts = self.clone();
         for k in 0..ghosts.source.len() {
             let a = self.particle(fluid.len(), fluid.len() + k);
-            if self.plane[k] == AXIS_PLANE {
+            if self.plane[k] == Plane::AXIS {
                 continue;
             }
             let wall = walls[self.wall[k] as usize];
@@ -233,7 +250,7 @@ impl Ghosts {
     }
 
     /// Real values followed by those of the ghosts, each made from its source by `image`.
-    pub fn extend<T: Copy>(&self, real: &[T], image: impl Fn(&Plane, T) -> T) -> Vec<T> {
+    pub fn extend<T: Copy>(&self, real: &[T], image: impl Fn(&Plane<D>, T) -> T) -> Vec<T> {
         let mut all = Vec::with_capacity(real.len() + self.source.len());
         all.extend_from_slice(real);
         for (source, plane) in self.source.iter().zip(&self.plane) {
@@ -249,7 +266,10 @@ impl Ghosts {
 }
 
 /// Particles of which `plane` finds one, in the order of the clusters.
-fn select(fluid: &Fluid, plane: impl Fn(usize) -> Option<Plane> + Sync) -> Vec<(usize, Plane)> {
+fn select<const D: usize>(
+    fluid: &Fluid<D>,
+    plane: impl Fn(usize) -> Option<Plane<D>> + Sync,
+) -> Vec<(usize, Plane<D>)> {
     let n = fluid.len();
     let order = &fluid.clustering.order;
     let at = |i: usize| {

@@ -24,10 +24,9 @@ use crate::fluid::Fluid;
 use crate::fluid::axis_function::axis_function;
 use crate::fluid::extended::Extended;
 use crate::fluid::ghosts::Ghosts;
-use crate::fluid::kinematics::Kinematics;
 use crate::fluid::momentum::Forces;
 use crate::fluid::step::Sweep;
-use crate::geometry::{Geometry, Vec2};
+use crate::geometry::{Geometry, dot};
 use crate::kernel;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -54,7 +53,7 @@ impl Default for Settings {
 }
 
 /// eta = 2 pi |r| rho of particles and ghosts, kg/m2 (rho in plane motion); A eta is the mass.
-fn ring_density(geometry: Geometry, x: &Extended) -> Vec<f64> {
+fn ring_density<const D: usize>(geometry: Geometry, x: &Extended<D>) -> Vec<f64> {
     (x.position.iter().zip(&x.density))
         .map(|(p, d)| geometry.ring(p[0].abs()) * d)
         .collect()
@@ -71,18 +70,18 @@ pub(crate) fn axis_correction(geometry: Geometry, r: f64, h: f64) -> (f64, f64) 
     }
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Density of particles with a far field by continuity; the others get theirs in [`Self::sum_density`].
-    pub(crate) fn advance_far_volume(&mut self, kinematics: &[Kinematics], dt: f64) {
-        for (a, k) in kinematics.iter().enumerate() {
+    pub(crate) fn advance_far_volume(&mut self, sweep: &Sweep<D>, dt: f64) {
+        for a in 0..self.len() {
             if self.far_field[a].is_some() {
-                self.volume[a] *= (dt * k.divergence).exp();
+                self.volume[a] *= (dt * sweep.kinematics(a).divergence).exp();
             }
         }
     }
 
     /// Volume from the summation density where the particles are now.
-    pub(crate) fn sum_density(&mut self, ghosts: &Ghosts, sweep: &Sweep) {
+    pub(crate) fn sum_density(&mut self, ghosts: &Ghosts<D>, sweep: &Sweep<D>) {
         let x = Extended::new(self, ghosts, &self.velocity);
         let eta = ring_density(self.geometry, &x);
         let volume: Vec<f64> = (0..self.len())
@@ -91,11 +90,11 @@ impl Fluid {
                 if self.far_field[a].is_some() {
                     return self.volume[a];
                 }
-                let mut sum = self.mass[a] * kernel::value(0.0, self.smoothing_length[a]);
+                let mut sum = self.mass[a] * kernel::value_in::<D>(0.0, self.smoothing_length[a]);
                 for &b in sweep.list.of(a) {
                     let b = b as usize;
                     if let Some(pair) = x.pair(a, b) {
-                        sum += x.area[b] * eta[b] * kernel::value(pair.distance, pair.h);
+                        sum += x.area[b] * eta[b] * kernel::value_in::<D>(pair.distance, pair.h);
                     }
                 }
                 let r = self.position[a][0];
@@ -109,24 +108,24 @@ impl Fluid {
     /// Velocities of XSPH on top of the particles' own, m/s.
     pub(crate) fn smoothing_velocities(
         &self,
-        x: &Extended,
-        sweep: &Sweep,
+        x: &Extended<D>,
+        sweep: &Sweep<D>,
         share: f64,
-    ) -> Vec<Vec2> {
+    ) -> Vec<[f64; D]> {
         if share == 0.0 {
-            return vec![[0.0; 2]; self.len()];
+            return vec![[0.0; D]; self.len()];
         }
         let eta = ring_density(self.geometry, x);
         (0..self.len())
             .into_par_iter()
             .map(|a| {
-                let mut u = [0.0; 2];
+                let mut u = [0.0; D];
                 for &b in sweep.list.of(a) {
                     let b = b as usize;
                     let Some(pair) = x.pair(a, b) else { continue };
-                    let w = x.area[b] * eta[b] * kernel::value(pair.distance, pair.h);
+                    let w = x.area[b] * eta[b] * kernel::value_in::<D>(pair.distance, pair.h);
                     let k = 2.0 * share * w / (eta[a] + eta[b]);
-                    let dv = [0, 1].map(|i| x.velocity[b][i] - x.velocity[a][i]);
+                    let dv = std::array::from_fn(|i| x.velocity[b][i] - x.velocity[a][i]);
                     add(&mut u, dv, k);
                 }
                 u
@@ -136,13 +135,13 @@ impl Fluid {
 }
 
 /// Forces on every particle; `outside` is the far-field pressure of each, Pa.
-pub(crate) fn forces(
-    fluid: &Fluid,
-    x: &Extended,
+pub(crate) fn forces<const D: usize>(
+    fluid: &Fluid<D>,
+    x: &Extended<D>,
     outside: &[f64],
-    sweep: &Sweep,
+    sweep: &Sweep<D>,
     s: &Settings,
-) -> Vec<Forces> {
+) -> Vec<Forces<D>> {
     let eta = ring_density(fluid.geometry, x);
     (0..fluid.len())
         .into_par_iter()
@@ -150,20 +149,24 @@ pub(crate) fn forces(
         .collect()
 }
 
-fn forces_on(
+fn forces_on<const D: usize>(
     a: usize,
-    fluid: &Fluid,
-    x: &Extended,
+    fluid: &Fluid<D>,
+    x: &Extended<D>,
     eta: &[f64],
     outside: f64,
-    sweep: &Sweep,
+    sweep: &Sweep<D>,
     s: &Settings,
-) -> Forces {
+) -> Forces<D> {
     let r = x.position[a][0];
     let (f1, slope) = axis_correction(fluid.geometry, r, x.smoothing_length[a]);
     let own = f1 / (x.density[a] * eta[a]);
     let excess = x.pressure[a] - outside;
-    let mut f = Forces::default();
+    let mut f = Forces {
+        acceleration: [0.0; D],
+        dissipation: [0.0; D],
+        wall: [0.0; D],
+    };
     for &b in sweep.list.of(a) {
         let b = b as usize;
         let Some(pair) = x.pair(a, b) else { continue };
@@ -187,19 +190,28 @@ fn forces_on(
 
 /// sum += k v.
 #[inline]
-fn add(sum: &mut Vec2, v: Vec2, k: f64) {
-    *sum = [sum[0] + k * v[0], sum[1] + k * v[1]];
+fn add<const D: usize>(sum: &mut [f64; D], v: [f64; D], k: f64) {
+    for (sum, v) in sum.iter_mut().zip(v) {
+        *sum += k * v;
+    }
 }
 
 /// (-alpha c mu + beta mu^2) of a pair, m2/s2.
 #[inline]
-fn viscosity(x: &Extended, a: usize, b: usize, d: Vec2, h: f64, s: &Settings) -> f64 {
+fn viscosity<const D: usize>(
+    x: &Extended<D>,
+    a: usize,
+    b: usize,
+    d: [f64; D],
+    h: f64,
+    s: &Settings,
+) -> f64 {
     let (va, vb) = (x.velocity[a], x.velocity[b]);
-    let approach = (va[0] - vb[0]) * d[0] + (va[1] - vb[1]) * d[1];
+    let approach = dot(std::array::from_fn(|k| va[k] - vb[k]), d);
     if approach >= 0.0 {
         return 0.0;
     }
-    let mu = h * approach / (d[0] * d[0] + d[1] * d[1] + 0.01 * h * h);
+    let mu = h * approach / (dot(d, d) + 0.01 * h * h);
     let c = 0.5 * (x.sound_speed[a] + x.sound_speed[b]);
     mu * (s.beta * mu - s.alpha * c)
 }

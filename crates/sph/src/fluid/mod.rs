@@ -1,12 +1,14 @@
 //! Compressible liquid: what it is. What its particles do to each other is in [`corrected`] and [`joshi`].
 //!
 //! A particle is a ring (axisymmetry) or a unit-thickness prism (plane) of liquid with a mass and a volume of its
-//! own. Its meridional area A = V/(2 pi r) is the weight of kernel sums; h = 1.3 sqrt(A).
+//! own. Its meridional area A = V/(2 pi r) is the weight of kernel sums; h = 1.3 sqrt(A). In three dimensions the weight is the
+//! volume itself, h = 1.3 cbrt(V).
 
 pub mod axis_function;
 pub mod corrected;
 mod extended;
 pub mod far_field;
+pub mod gas;
 pub mod ghosts;
 pub mod joshi;
 mod kinematics;
@@ -18,7 +20,8 @@ pub mod refinement;
 mod shifting;
 pub(crate) mod step;
 
-use crate::geometry::{Geometry, Vec2};
+use crate::geometry::{Geometry, dot, length};
+use crate::phases::{Phase, Phases};
 use corrected::Account;
 use erode_physics::eos::Tait;
 use far_field::FarField;
@@ -27,25 +30,25 @@ pub use places::Clustering;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// h = SMOOTHING * sqrt(A): the best of 1.15, 1.3 and 1.5 for bubble collapse.
+/// h = SMOOTHING times the spacing: the best of 1.15, 1.3 and 1.5 for bubble collapse.
 pub const SMOOTHING: f64 = 1.3;
 
 /// Smallest and largest smoothing length in units of its initial value.
 pub const SMOOTHING_RANGE: (f64, f64) = (0.25, 4.0);
 
-/// Liquid body: named arrays, one entry per particle.
+/// Liquid body in two or three dimensions: named arrays, one entry per particle.
 #[derive(Debug, Clone)]
-pub struct Fluid {
+pub struct Fluid<const D: usize = 2> {
     /// Plane or axisymmetric.
     pub geometry: Geometry,
     /// Equation of state.
     pub eos: Tait,
-    /// Centre (r, z) or (x, y), m.
-    pub position: Vec<Vec2>,
+    /// Centre (r, z), (x, y) or (x, y, z), m.
+    pub position: Vec<[f64; D]>,
     /// Velocity, m/s.
-    pub velocity: Vec<Vec2>,
+    pub velocity: Vec<[f64; D]>,
     /// Rate of velocity, m/s2.
-    pub acceleration: Vec<Vec2>,
+    pub acceleration: Vec<[f64; D]>,
     /// Mass of the ring, kg (per metre in plane).
     pub mass: Vec<f64>,
     /// Volume of the ring, m3 (per metre in plane).
@@ -56,14 +59,14 @@ pub struct Fluid {
     pub smoothing_length: Vec<f64>,
     /// Smoothing length at the start, m.
     pub initial_smoothing_length: Vec<f64>,
-    /// Smaller eigenvalue of the moment matrix: 1 inside, about 0.5 at a free surface.
+    /// Smallest eigenvalue of the moment matrix: 1 inside, about 0.5 at a free surface.
     pub support: Vec<f64>,
     /// Norm of the velocity gradient, 1/s.
     pub strain_rate: Vec<f64>,
     /// Rigid sides without friction: mirrors.
-    pub sides: Vec<Plane>,
+    pub sides: Vec<Plane<D>>,
     /// Particles whose outer side is a far field.
-    pub far_field: Vec<FarField>,
+    pub far_field: Vec<FarField<D>>,
     /// Distance from the far side at the start, m; meaningful where there is one.
     pub(crate) side_depth: Vec<f64>,
     /// What the particles do to each other.
@@ -74,10 +77,14 @@ pub struct Fluid {
     pub origin: Vec<refinement::Origin>,
     /// Number that the next particle gets.
     pub next_id: u32,
+    /// Gas in its cavities, if there is any.
+    pub gas: Option<gas::Gas>,
+    /// Pressure of the gas on each particle, Pa; empty without gas.
+    pub(crate) gas_pressure: Vec<f64>,
     /// Energy that came and went, and what was counted, since the start.
     pub account: Account,
     /// Memory for the next step.
-    sweep: step::Sweep,
+    sweep: step::Sweep<D>,
 }
 
 /// Discrete form of the liquid.
@@ -92,39 +99,41 @@ pub enum Formulation {
 
 /// Particles of a liquid at the start.
 #[derive(Debug, Clone)]
-pub struct Start<'a> {
+pub struct Start<'a, const D: usize = 2> {
     /// Plane or axisymmetric.
     pub geometry: Geometry,
     /// Equation of state.
     pub eos: Tait,
     /// Particle centres, m.
-    pub position: &'a [Vec2],
-    /// Meridional areas, m2.
+    pub position: &'a [[f64; D]],
+    /// Meridional areas, m2; volumes in three dimensions, m3.
     pub area: &'a [f64],
     /// Initial pressure, Pa.
     pub pressure: f64,
     /// Initial velocity, m/s.
-    pub velocity: Vec2,
+    pub velocity: [f64; D],
     /// Discrete form.
     pub formulation: Formulation,
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Liquid in uniform pressure and motion.
     #[must_use]
-    pub fn new(start: &Start) -> Self {
+    pub fn new(start: &Start<D>) -> Self {
         let n = start.position.len();
         let density = start.eos.density(start.pressure);
         let volume: Vec<f64> = (0..n)
             .map(|a| start.geometry.ring(start.position[a][0]) * start.area[a])
             .collect();
-        let h: Vec<f64> = start.area.iter().map(|a| SMOOTHING * a.sqrt()).collect();
+        let h: Vec<f64> = (start.area.iter())
+            .map(|a| SMOOTHING * spacing::<D>(*a))
+            .collect();
         Self {
             geometry: start.geometry,
             eos: start.eos,
             position: start.position.to_vec(),
             velocity: vec![start.velocity; n],
-            acceleration: vec![[0.0; 2]; n],
+            acceleration: vec![[0.0; D]; n],
             mass: volume.iter().map(|v| density * v).collect(),
             volume,
             pressure: vec![start.pressure.max(0.0); n],
@@ -141,6 +150,8 @@ impl Fluid {
                 .map(|id| refinement::Origin { id, level: 0 })
                 .collect(),
             next_id: n as u32,
+            gas: None,
+            gas_pressure: Vec::new(),
             account: Account::default(),
             sweep: step::Sweep::default(),
         }
@@ -150,6 +161,17 @@ impl Fluid {
     #[must_use]
     pub fn len(&self) -> usize {
         self.position.len()
+    }
+
+    /// One step of `dt` of a liquid on its own between its sides, from `time` on; s.
+    pub fn step(&mut self, dt: f64, time: f64, clock: &mut Phases) {
+        let sides = self.sides.clone();
+        let walls: Vec<&dyn Wall<D>> = sides.iter().map(|p| p as &dyn Wall<D>).collect();
+        clock.start();
+        let sweep = self.advance_positions(&walls, dt, clock);
+        self.push(sweep, &walls, dt, time + dt, clock);
+        self.kick(0.5 * dt);
+        clock.lap(Phase::Integrate);
     }
 
     /// Whether there are no particles.
@@ -164,7 +186,7 @@ impl Fluid {
         self.mass[a] / self.volume[a]
     }
 
-    /// Meridional area of particle `a`, m2.
+    /// Meridional area of particle `a`, m2; its volume in three dimensions, m3.
     #[must_use]
     pub fn area(&self, a: usize) -> f64 {
         self.volume[a] / self.geometry.ring(self.position[a][0])
@@ -203,7 +225,7 @@ impl Fluid {
             .enumerate())
         .with_min_len(PARTICLES_PER_TASK)
         .for_each(|(a, (new, h0))| {
-            let h = SMOOTHING * self.area(a).sqrt();
+            let h = SMOOTHING * spacing::<D>(self.area(a));
             *new = h.clamp(SMOOTHING_RANGE.0 * h0, SMOOTHING_RANGE.1 * h0);
         });
         self.smoothing_length = new;
@@ -214,23 +236,26 @@ impl Fluid {
         (self.velocity.par_iter_mut().zip(&self.acceleration))
             .with_min_len(PARTICLES_PER_TASK)
             .for_each(|(v, a)| {
-                v[0] += dt * a[0];
-                v[1] += dt * a[1];
+                for (v, a) in v.iter_mut().zip(a) {
+                    *v += dt * a;
+                }
             });
     }
 
     /// x += dt v; a particle that would cross the axis or a wall is mirrored back and counted.
-    pub(crate) fn drift(&mut self, dt: f64, walls: &[&dyn Wall]) {
+    pub(crate) fn drift(&mut self, dt: f64, walls: &[&dyn Wall<D>]) {
         let axis = self.geometry == Geometry::Axisymmetric;
         let walls: Vec<_> = walls.iter().map(|w| (*w, w.shadow())).collect();
         let crossings = (self.position.par_iter_mut().zip(&mut self.velocity))
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(x, v)| {
                 let mut crossings = [0, 0];
-                *x = [x[0] + dt * v[0], x[1] + dt * v[1]];
+                for (x, v) in x.iter_mut().zip(*v) {
+                    *x += dt * v;
+                }
                 if axis && x[0] <= 0.0 {
-                    *x = [-x[0], x[1]];
-                    *v = [-v[0], v[1]];
+                    x[0] = -x[0];
+                    v[0] = -v[0];
                     crossings[0] += 1;
                 }
                 for (wall, shadow) in &walls {
@@ -255,8 +280,7 @@ impl Fluid {
     pub fn stable_time_step(&self, safety: f64) -> (f64, usize) {
         let of = |a: usize| {
             let c = self.eos.sound_speed_at(self.density(a));
-            let v = self.velocity[a];
-            let speed = (v[0] * v[0] + v[1] * v[1]).sqrt();
+            let speed = length(self.velocity[a]);
             (safety * self.smoothing_length[a] / (c + speed), a)
         };
         // The first of the smallest, whatever is compared first; steps that are not numbers are found elsewhere.
@@ -291,8 +315,13 @@ impl Fluid {
     }
 }
 
-fn kinetic_energy(mass: f64, velocity: Vec2) -> f64 {
-    0.5 * mass * (velocity[0] * velocity[0] + velocity[1] * velocity[1])
+/// Side of the square of this area, of the cube of this volume, m.
+pub(crate) fn spacing<const D: usize>(area: f64) -> f64 {
+    if D == 2 { area.sqrt() } else { area.cbrt() }
+}
+
+fn kinetic_energy<const D: usize>(mass: f64, velocity: [f64; D]) -> f64 {
+    0.5 * mass * dot(velocity, velocity)
 }
 
 /// From zero pressure; none below.
@@ -301,7 +330,7 @@ fn compression_energy(eos: &Tait, mass: f64, volume: f64) -> f64 {
 }
 
 /// Both energies of a particle, J.
-fn energy(eos: &Tait, mass: f64, volume: f64, velocity: Vec2) -> f64 {
+fn energy<const D: usize>(eos: &Tait, mass: f64, volume: f64, velocity: [f64; D]) -> f64 {
     kinetic_energy(mass, velocity) + compression_energy(eos, mass, volume)
 }
 

@@ -9,12 +9,11 @@
 
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::kinematics::Kinematics;
-use crate::fluid::moments::{Sym2, apply};
-use crate::fluid::pair::{Pair, dot, limited};
+use crate::fluid::moments::{Matrix, apply};
+use crate::fluid::pair::{Pair, add_scaled, dot, limited, plus, scaled};
 use crate::fluid::places;
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
-use crate::geometry::Vec2;
 use crate::neighbours::pair_sum::{PairSum, Record, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
@@ -23,62 +22,67 @@ use rayon::prelude::*;
 const INSIDE: f64 = 0.85;
 
 /// Forces on one particle per unit of its mass, m/s2, and what they come from.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Forces {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Forces<const D: usize = 2> {
     /// Total.
-    pub(crate) acceleration: Vec2,
+    pub(crate) acceleration: [f64; D],
     /// Part of the numerical dissipation.
-    pub(crate) dissipation: Vec2,
+    pub(crate) dissipation: [f64; D],
     /// Part of the walls that can be pushed (the surfaces of solids).
-    pub(crate) wall: Vec2,
+    pub(crate) wall: [f64; D],
 }
 
 record! {
     /// What the forces read of a particle.
     struct Particle {
-        x, y, h, area,
-        /// Velocity, m/s.
-        u, v,
-        pressure,
-        /// Half of the density, kg/m3, and of the sound speed, m/s.
-        half_density, half_sound_speed,
-        /// Half of the velocity gradient, row by row, 1/s.
-        half_ux, half_uy, half_vx, half_vy,
+        position: [T; D],
+        h: T,
+        area: T,
+        /// m/s.
+        velocity: [T; D],
+        pressure: T,
+        /// Half of the density, kg/m3.
+        half_density: T,
+        /// Half of the sound speed, m/s.
+        half_sound_speed: T,
+        /// Half of the velocity gradient, 1/s.
+        half_gradient: [[T; D]; D],
         /// Pressure outside a far field, Pa.
-        outside,
+        outside: T,
     }
 }
 
 record! {
     /// Sums of A_b grad W times pressures, Pa/m.
     struct Sums {
-        pressure_x, pressure_y,
-        friction_x, friction_y,
-        wall_x, wall_y,
+        pressure: [T; D],
+        friction: [T; D],
+        wall: [T; D],
     }
 }
 
 /// The law.
-struct Law;
+struct Law<const D: usize>;
 
 /// Memory of the sums.
-pub(crate) type Memory = places::Sums<Particle, Sums>;
+pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Sums<D>>;
 
 /// Forces on every particle with velocities `velocity`; `outside` is the far-field pressure of each, Pa.
-pub(crate) fn sweep(
-    fluid: &Fluid,
-    ghosts: &Ghosts,
-    velocity: &[Vec2],
+pub(crate) fn sweep<const D: usize>(
+    fluid: &Fluid<D>,
+    ghosts: &Ghosts<D>,
+    velocity: &[[f64; D]],
     outside: &[f64],
-    sweep: &mut Sweep,
-) -> Vec<Forces> {
-    let (places, kinematics, memory) =
-        (&sweep.places, &sweep.kinematics, &mut sweep.memory.momentum);
-    let of = |a: usize| particle(fluid, velocity[a], &kinematics[a], outside[a], a);
-    places.sum(&Law, ghosts, of, image, memory);
+    sweep: &mut Sweep<D>,
+) -> Vec<Forces<D>> {
+    let places = &sweep.places;
+    let kinematics = |a: usize| &sweep.memory.kinematics.results[places.of(a)];
+    let memory = &mut sweep.memory.momentum;
+    let of = |a: usize| particle(fluid, velocity[a], kinematics(a), outside[a], a);
+    places.sum(&Law::<D>, ghosts, of, image, memory);
     let forces = |a: usize| {
-        let correction = correction(&kinematics[a]);
-        memory.results[places.place(a)].forces(correction, fluid.density(a))
+        let correction = correction(kinematics(a));
+        memory.results[places.of(a)].forces(correction, fluid.density(a))
     };
     (0..fluid.len())
         .into_par_iter()
@@ -87,121 +91,121 @@ pub(crate) fn sweep(
         .collect()
 }
 
-fn particle(fluid: &Fluid, [u, v]: Vec2, k: &Kinematics, outside: f64, a: usize) -> Particle {
-    let ([x, y], density) = (fluid.position[a], fluid.density(a));
-    let [[ux, uy], [vx, vy]] = k.gradient;
+fn particle<const D: usize>(
+    fluid: &Fluid<D>,
+    velocity: [f64; D],
+    k: &Kinematics<D>,
+    outside: f64,
+    a: usize,
+) -> Particle<D> {
+    let density = fluid.density(a);
     Particle {
-        x,
-        y,
+        position: fluid.position[a],
         h: fluid.smoothing_length[a],
         area: fluid.area(a),
-        u,
-        v,
+        velocity,
         pressure: fluid.pressure[a],
         half_density: 0.5 * density,
         half_sound_speed: 0.5 * fluid.eos.sound_speed_at(density),
-        half_ux: 0.5 * ux,
-        half_uy: 0.5 * uy,
-        half_vx: 0.5 * vx,
-        half_vy: 0.5 * vy,
+        half_gradient: k.gradient.map(|row| row.map(|x| 0.5 * x)),
         outside,
     }
 }
 
-fn image(plane: &Plane, p: Particle) -> Particle {
-    let [x, y] = plane.mirror([p.x, p.y]);
-    let [u, v] = plane.mirror_velocity([p.u, p.v]);
-    let gradient = [[p.half_ux, p.half_uy], [p.half_vx, p.half_vy]];
-    let [[half_ux, half_uy], [half_vx, half_vy]] = plane.mirror_tensor(gradient);
+fn image<const D: usize>(plane: &Plane<D>, p: Particle<D>) -> Particle<D> {
     Particle {
-        x,
-        y,
-        u,
-        v,
-        half_ux,
-        half_uy,
-        half_vx,
-        half_vy,
+        position: plane.mirror(p.position),
+        velocity: plane.mirror_velocity(p.velocity),
+        half_gradient: plane.mirror_tensor(p.half_gradient),
         ..p
     }
 }
 
-fn correction(k: &Kinematics) -> Sym2 {
+/// L inside the liquid, the identity at its surface.
+fn correction<const D: usize>(k: &Kinematics<D>) -> Matrix<D> {
     if k.support > INSIDE {
-        k.correction
-    } else {
-        [1.0, 0.0, 1.0]
+        return k.correction;
     }
+    let mut identity = [[0.0; D]; D];
+    for (i, row) in identity.iter_mut().enumerate() {
+        row[i] = 1.0;
+    }
+    identity
 }
 
-impl Sums {
-    fn forces(&self, correction: Sym2, density: f64) -> Forces {
-        let scale = |x: f64, y: f64| apply(correction, [x, y]).map(|c| -c / density);
-        let pressure = scale(self.pressure_x, self.pressure_y);
-        let dissipation = scale(self.friction_x, self.friction_y);
+impl<const D: usize> Sums<D> {
+    fn forces(&self, correction: Matrix<D>, density: f64) -> Forces<D> {
+        let scale = |x: [f64; D]| apply(&correction, x).map(|c| -c / density);
+        let pressure = scale(self.pressure);
+        let dissipation = scale(self.friction);
         Forces {
-            acceleration: [pressure[0] + dissipation[0], pressure[1] + dissipation[1]],
+            acceleration: std::array::from_fn(|i| pressure[i] + dissipation[i]),
             dissipation,
-            wall: scale(self.wall_x, self.wall_y),
+            wall: scale(self.wall),
         }
     }
 }
 
-impl PairSum for Law {
-    type Particle = Particle;
-    type Result = Sums;
-    type Sums<S: Simd> = Sums<S>;
+impl<const D: usize> PairSum for Law<D> {
+    type Particle = Particle<D>;
+    type Result = Sums<D>;
+    type Sums<S: Simd> = Sums<D, S>;
 
     #[inline(always)]
-    fn zero<S: Simd>() -> Sums<S> {
+    fn zero<S: Simd>() -> Sums<D, S> {
         Sums::default().splat()
     }
 
     #[inline(always)]
-    fn add<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
+    fn add<S: Simd>(&self, sums: &mut Sums<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {
         add_pair(sums, a, b);
     }
 
     /// The image of a particle in the surface of a solid: what it does is done by the solid.
     #[inline(always)]
-    fn add_divided<S: Simd>(&self, sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) {
+    fn add_divided<S: Simd>(&self, sums: &mut Sums<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {
         let (g, q) = add_pair(sums, a, b);
-        let all = a.pressure + b.pressure + q;
-        sums.wall_x = all.mul_add(g[0], sums.wall_x);
-        sums.wall_y = all.mul_add(g[1], sums.wall_y);
+        add_scaled(&mut sums.wall, &g, a.pressure + b.pressure + q);
     }
 
     #[inline(always)]
-    fn finish<S: Simd>(&self, sums: Sums<S>, _: &Particle<S>) -> Sums<S> {
+    fn finish<S: Simd>(&self, sums: Sums<D, S>, _: &Particle<D, S>) -> Sums<D, S> {
         sums
     }
 }
 
 /// Adds a pair; returns A_b grad W and q_ab.
 #[inline(always)]
-fn add_pair<S: Simd>(sums: &mut Sums<S>, a: &Particle<S>, b: &Particle<S>) -> ([S; 2], S) {
-    let (pair, _) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], S::splat(1.0));
-    let factor = b.area * pair.gradient;
-    let g = pair.separation.map(|d| factor * d);
+fn add_pair<S: Simd, const D: usize>(
+    sums: &mut Sums<D, S>,
+    a: &Particle<D, S>,
+    b: &Particle<D, S>,
+) -> ([S; D], S) {
+    let (pair, _) = Pair::new(&a.position, &b.position, a.h + b.h, S::splat(1.0));
+    let g = scaled(&pair.separation, b.area * pair.gradient);
     let q = dissipation(&pair, a, b);
     let p = (a.pressure - S::splat(2.0) * a.outside) + b.pressure;
-    sums.pressure_x = p.mul_add(g[0], sums.pressure_x);
-    sums.pressure_y = p.mul_add(g[1], sums.pressure_y);
-    sums.friction_x = q.mul_add(g[0], sums.friction_x);
-    sums.friction_y = q.mul_add(g[1], sums.friction_y);
+    add_scaled(&mut sums.pressure, &g, p);
+    add_scaled(&mut sums.friction, &g, q);
     (g, q)
 }
 
 /// q_ab, Pa.
 #[inline(always)]
-fn dissipation<S: Simd>(pair: &Pair<S>, a: &Particle<S>, b: &Particle<S>) -> S {
-    let d = pair.separation;
-    let approach = dot([b.u - a.u, b.v - a.v], d) * pair.inverse_distance;
-    let jump = approach.max(S::splat(0.0));
-    let along_x = dot([a.half_ux + b.half_ux, a.half_uy + b.half_uy], d);
-    let along_y = dot([a.half_vx + b.half_vx, a.half_vy + b.half_vy], d);
-    let explained = dot([along_x, along_y], d);
-    let u = limited(jump, explained.mul_add(pair.inverse_distance, jump));
+fn dissipation<S: Simd, const D: usize>(
+    pair: &Pair<S, D>,
+    a: &Particle<D, S>,
+    b: &Particle<D, S>,
+) -> S {
+    let d = &pair.separation;
+    let (mut jump, mut along) = (*d, *d);
+    for k in 0..D {
+        jump[k] = b.velocity[k] - a.velocity[k];
+        along[k] = dot(&plus(&a.half_gradient[k], &b.half_gradient[k]), d);
+    }
+    let approach = (dot(&jump, d) * pair.inverse_distance).max(S::splat(0.0));
+    let rest = dot(&along, d).mul_add(pair.inverse_distance, approach);
+    let u = limited(approach, rest);
     let rho = a.half_density + b.half_density;
     let c = a.half_sound_speed + b.half_sound_speed;
     rho * c * u

@@ -11,45 +11,49 @@ const NEAREST_SQUARED: f64 = 1e-60;
 
 /// Eight pairs, with the mean h. What a law does not use costs nothing.
 #[derive(Clone, Copy)]
-pub(crate) struct Pair<S> {
+pub(crate) struct Pair<S, const D: usize> {
     /// x_a - x_b, m.
-    pub(crate) separation: [S; 2],
+    pub(crate) separation: [S; D],
     /// |x_a - x_b|, m.
     pub(crate) distance: S,
     /// 1/distance, 1/m.
     pub(crate) inverse_distance: S,
-    /// W R^2.
+    /// W R^D.
     pub(crate) relative_kernel: S,
-    /// Kernel W, 1/m2.
+    /// Kernel W, 1/m^D.
     pub(crate) kernel: S,
-    /// (dW/ddistance)/distance, 1/m4: times the separation it is the gradient at a.
+    /// (dW/ddistance)/distance, 1/m^(D + 2): times the separation it is the gradient at a.
     pub(crate) gradient: S,
 }
 
-impl<S: Simd> Pair<S> {
-    /// Pairs of particles at [x, y] with h, and 1/`divisor`: one division for all.
+impl<S: Simd, const D: usize> Pair<S, D> {
+    /// Pairs of particles at `x_a` and `x_b` with the sum `support` of their smoothing lengths, and 1/`divisor`: one division for all.
     #[inline(always)]
-    pub(crate) fn new(a: [S; 3], b: [S; 3], divisor: S) -> (Self, S) {
-        let separation = [a[0] - b[0], a[1] - b[1]];
-        let [x, y] = separation;
-        let square = x.mul_add(x, y.mul_add(y, S::splat(NEAREST_SQUARED)));
+    pub(crate) fn new(x_a: &[S; D], x_b: &[S; D], support: S, divisor: S) -> (Self, S) {
+        let zero = S::splat(0.0);
+        let mut separation = [zero; D];
+        let mut square = S::splat(NEAREST_SQUARED);
+        for k in (0..D).rev() {
+            separation[k] = x_a[k] - x_b[k];
+            square = separation[k].mul_add(separation[k], square);
+        }
         let distance = square.sqrt();
         // R = 2 (h_a + h_b)/2.
-        let support = a[2] + b[2];
         let product = distance * support;
         let inverse = S::splat(1.0) / (product * divisor);
         let inverse_product = inverse * divisor;
         let inverse_support = inverse_product * distance;
         let inverse_square = inverse_support * inverse_support;
-        let inverse_fourth = inverse_square * inverse_square;
-        let [value, slope] = kernel::times_support_to_fifth(distance, support);
+        let inverse_cube = inverse_square * inverse_support;
+        let inverse_power = if D == 2 { inverse_square } else { inverse_cube };
+        let [value, slope] = kernel::times_support::<S, D>(distance, support);
         let pair = Self {
             separation,
             distance,
             inverse_distance: inverse_product * support,
-            relative_kernel: value * (inverse_square * inverse_support),
-            kernel: value * (inverse_fourth * inverse_support),
-            gradient: slope * (inverse_fourth * inverse_product),
+            relative_kernel: value * inverse_cube,
+            kernel: value * (inverse_cube * inverse_power),
+            gradient: slope * (inverse_square * inverse_power * inverse_product),
         };
         (pair, inverse * product)
     }
@@ -57,8 +61,40 @@ impl<S: Simd> Pair<S> {
 
 /// Scalar product.
 #[inline(always)]
-pub(crate) fn dot<S: Simd>(a: [S; 2], b: [S; 2]) -> S {
-    a[0].mul_add(b[0], a[1] * b[1])
+pub(crate) fn dot<S: Simd, const D: usize>(a: &[S; D], b: &[S; D]) -> S {
+    let mut sum = a[D - 1] * b[D - 1];
+    for k in (0..D - 1).rev() {
+        sum = a[k].mul_add(b[k], sum);
+    }
+    sum
+}
+
+/// Sum of two vectors.
+#[inline(always)]
+pub(crate) fn plus<S: Simd, const D: usize>(a: &[S; D], b: &[S; D]) -> [S; D] {
+    let mut sum = *a;
+    for k in 0..D {
+        sum[k] = a[k] + b[k];
+    }
+    sum
+}
+
+/// A vector times a number.
+#[inline(always)]
+pub(crate) fn scaled<S: Simd, const D: usize>(a: &[S; D], factor: S) -> [S; D] {
+    let mut product = *a;
+    for k in 0..D {
+        product[k] = factor * a[k];
+    }
+    product
+}
+
+/// Adds a vector times a number to a sum.
+#[inline(always)]
+pub(crate) fn add_scaled<S: Simd, const D: usize>(sum: &mut [S; D], a: &[S; D], factor: S) {
+    for k in 0..D {
+        sum[k] = factor.mul_add(a[k], sum[k]);
+    }
 }
 
 /// Half-way reconstruction of a difference: the `rest` that the linear part leaves of a `jump`; zero when they disagree in sign,

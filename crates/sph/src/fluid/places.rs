@@ -6,19 +6,24 @@
 
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
-use crate::geometry::Vec2;
-use crate::neighbours::boxes::{NO_POINTS, Points};
+use crate::geometry::length;
+use crate::neighbours::boxes::Points;
 use crate::neighbours::clusters::ClusterLists;
 use crate::neighbours::order::compact_order;
-use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::neighbours::pair_sum::{PairSum, Record};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
 /// Lists that have grown to this multiple of their length when the clusters were new call for new ones.
 const STALE: f64 = 1.1;
 
-/// Room in the lists for the change of h and for shifting within a step, in units of h; motion comes on top.
-const ROOM: f64 = 0.05;
+/// Room in the lists for the change of h and for shifting within a step of dt, in units of h: the first at rest, the second
+/// times |grad v| dt of the last step (shifting moves a particle by up to 2 h |grad v| dt, and h changes by less than half of
+/// h |grad v| dt). Motion comes on top. A pair that comes in farther out is missed where its kernel is next to nothing.
+const ROOM: (f64, f64) = (0.005, 4.0);
+
+/// Most room, in units of h.
+const MOST_ROOM: f64 = 0.1;
 
 /// Which eight particles make a cluster. Results depend on it in the last bits: part of a checkpoint.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,7 +59,7 @@ impl Clustering {
     }
 
     /// New clusters where the old ones no longer lie together.
-    fn renew(&mut self, position: &[Vec2]) {
+    fn renew<const D: usize>(&mut self, position: &[[f64; D]]) {
         if self.stale || self.order.len() != position.len() {
             self.order = compact_order(position);
             self.fresh = 0;
@@ -70,16 +75,17 @@ impl Clustering {
     }
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
+    /// Half of the support of particle `a` with room for what a step of `dt` may bring, m.
+    fn reach(&self, a: usize, dt: f64) -> f64 {
+        let room = (ROOM.0 + ROOM.1 * self.strain_rate[a] * dt).min(MOST_ROOM);
+        (1.0 + room) * self.smoothing_length[a] + 0.5 * dt * length(self.velocity[a])
+    }
+
     /// New clusters if those of the last step no longer lie together.
     pub(crate) fn renew_clusters(&mut self) {
         self.clustering.renew(&self.position);
     }
-}
-
-record! {
-    /// What the search reads.
-    struct Point { x, y, reach }
 }
 
 /// Records of all places, and what comes out for the particles, by place.
@@ -100,47 +106,37 @@ impl<P, R> Default for Sums<P, R> {
 }
 
 /// Places and lists of one step. Kept for the next step for the sake of its memory.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Places {
+#[derive(Debug, Clone)]
+pub(crate) struct Places<const D: usize> {
     order: Vec<u32>,
     /// Place of each particle.
     of_particle: Vec<u32>,
     /// Place of each ghost.
     of_ghost: Vec<u32>,
-    lists: ClusterLists,
+    lists: ClusterLists<D>,
     total: usize,
-    points: Vec<Point>,
-    groups: Vec<Points>,
+    groups: Vec<Points<D>>,
 }
 
-impl Places {
+impl<const D: usize> Default for Places<D> {
+    fn default() -> Self {
+        Self {
+            order: Vec::new(),
+            of_particle: Vec::new(),
+            of_ghost: Vec::new(),
+            lists: ClusterLists::default(),
+            total: 0,
+            groups: Vec::new(),
+        }
+    }
+}
+
+impl<const D: usize> Places<D> {
     /// Places and neighbours for the rest of a step of `dt`: pairs that come into the support of the kernel until its end are in
     /// the lists too.
-    pub(crate) fn find(&mut self, fluid: &mut Fluid, ghosts: &Ghosts, dt: f64) {
+    pub(crate) fn find(&mut self, fluid: &mut Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
         self.number(&fluid.clustering.order, &ghosts.surface);
-        let mut points = std::mem::take(&mut self.points);
-        self.fill(
-            &mut points,
-            ghosts,
-            |a| {
-                let ([x, y], [u, v]) = (fluid.position[a], fluid.velocity[a]);
-                let way = 0.5 * dt * (u * u + v * v).sqrt();
-                Point {
-                    x,
-                    y,
-                    reach: (1.0 + ROOM) * fluid.smoothing_length[a] + way,
-                }
-            },
-            |plane, p| {
-                let [x, y] = plane.mirror([p.x, p.y]);
-                Point { x, y, ..p }
-            },
-        );
-        (points.as_chunks::<LANES>().0.par_iter())
-            .with_min_len(PARTICLES_PER_TASK / LANES)
-            .map(group)
-            .collect_into_vec(&mut self.groups);
-        self.points = points;
+        self.place(fluid, ghosts, dt);
         let clusters = fluid.len().div_ceil(LANES);
         let ordinary = ghosts.surface.iter().filter(|s| !**s).count();
         let divide = (clusters + ordinary.div_ceil(LANES)) * LANES;
@@ -148,12 +144,36 @@ impl Places {
         fluid.clustering.judge(self.lists.len());
     }
 
+    /// Points of all places, in their groups.
+    fn place(&mut self, fluid: &Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
+        let own = (self.order.par_chunks(LANES))
+            .with_min_len(PARTICLES_PER_TASK / LANES)
+            .map(|members| {
+                let mut points = Points::NONE;
+                for (lane, &a) in members.iter().enumerate() {
+                    let a = a as usize;
+                    points.set(lane, fluid.position[a], fluid.reach(a, dt));
+                }
+                points
+            });
+        own.collect_into_vec(&mut self.groups);
+        self.groups.resize(self.total / LANES, Points::NONE);
+        for (k, &place) in self.of_ghost.iter().enumerate() {
+            let source = self.source_place(ghosts, k);
+            let (x, reach) = self.groups[source / LANES].get(source % LANES);
+            let place = place as usize;
+            self.groups[place / LANES].set(place % LANES, ghosts.plane[k].mirror(x), reach);
+        }
+    }
+
     fn number(&mut self, order: &[u32], surface: &[bool]) {
-        self.order.clear();
-        self.order.extend_from_slice(order);
-        self.of_particle.resize(order.len(), 0);
-        for (place, &a) in order.iter().enumerate() {
-            self.of_particle[a as usize] = place as u32;
+        if self.order != order {
+            self.order.clear();
+            self.order.extend_from_slice(order);
+            self.of_particle.resize(order.len(), 0);
+            for (place, &a) in order.iter().enumerate() {
+                self.of_particle[a as usize] = place as u32;
+            }
         }
         let ordinary = surface.iter().filter(|s| !**s).count();
         let mut next = [order.len().next_multiple_of(LANES), 0];
@@ -171,9 +191,9 @@ impl Places {
     fn fill<R: Record>(
         &self,
         records: &mut Vec<R>,
-        ghosts: &Ghosts,
+        ghosts: &Ghosts<D>,
         of: impl Fn(usize) -> R + Sync,
-        image: impl Fn(&Plane, R) -> R,
+        image: impl Fn(&Plane<D>, R) -> R,
     ) {
         let n = self.order.len();
         records.resize(self.total, R::default());
@@ -182,40 +202,68 @@ impl Places {
             .for_each(|(record, a)| *record = of(*a as usize));
         records[n..].fill(R::default());
         for (k, place) in self.of_ghost.iter().enumerate() {
-            let source = ghosts.source[k] as usize;
-            let source = match source.checked_sub(n) {
-                None => self.of_particle[source],
-                Some(ghost) => self.of_ghost[ghost],
-            };
-            records[*place as usize] = image(&ghosts.plane[k], records[source as usize]);
+            records[*place as usize] =
+                image(&ghosts.plane[k], records[self.source_place(ghosts, k)]);
         }
     }
 
-    /// Sums over the neighbours, with a record `of` each particle and the `image` of a record in a plane; use [`Self::place`] to
+    /// Sums over the neighbours, with a record `of` each particle and the `image` of a record in a plane; use [`Self::of`] to
     /// find those of a particle.
     pub(crate) fn sum<L: PairSum>(
         &self,
         law: &L,
-        ghosts: &Ghosts,
+        ghosts: &Ghosts<D>,
         of: impl Fn(usize) -> L::Particle + Sync,
-        image: impl Fn(&Plane, L::Particle) -> L::Particle,
+        image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
         sums: &mut Sums<L::Particle, L::Result>,
     ) {
         self.fill(&mut sums.records, ghosts, of, image);
         self.lists.sum(law, &sums.records, &mut sums.results);
     }
 
+    /// The sums once more after `change` has changed the records of some particles (and says of which): only where these are
+    /// neighbours.
+    pub(crate) fn sum_again<L: PairSum>(
+        &self,
+        law: &L,
+        ghosts: &Ghosts<D>,
+        change: impl Fn(usize, &mut L::Particle) -> bool,
+        image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
+        sums: &mut Sums<L::Particle, L::Result>,
+    ) {
+        let mut marked = vec![false; self.total];
+        for (place, &a) in self.order.iter().enumerate() {
+            marked[place] = change(a as usize, &mut sums.records[place]);
+        }
+        for (k, &place) in self.of_ghost.iter().enumerate() {
+            let source = self.source_place(ghosts, k);
+            if marked[source] {
+                marked[place as usize] = true;
+                sums.records[place as usize] = image(&ghosts.plane[k], sums.records[source]);
+            }
+        }
+        self.lists
+            .sum_near(law, &sums.records, &mut sums.results, &marked);
+    }
+
+    /// Place of what ghost `k` is an image of.
+    fn source_place(&self, ghosts: &Ghosts<D>, k: usize) -> usize {
+        let source = ghosts.source[k] as usize;
+        let place = match source.checked_sub(self.order.len()) {
+            None => self.of_particle[source],
+            Some(ghost) => self.of_ghost[ghost],
+        };
+        place as usize
+    }
+
+    /// Number of particles that have a place.
+    pub(crate) fn len(&self) -> usize {
+        self.of_particle.len()
+    }
+
     /// Place of particle `a`.
     #[inline]
-    pub(crate) fn place(&self, a: usize) -> usize {
+    pub(crate) fn of(&self, a: usize) -> usize {
         self.of_particle[a] as usize
     }
-}
-
-fn group(eight: &[Point; LANES]) -> Points {
-    let mut points = NO_POINTS;
-    for (i, p) in eight.iter().enumerate().filter(|(_, p)| p.reach > 0.0) {
-        [points[0][i], points[1][i], points[2][i]] = [p.x, p.y, p.reach];
-    }
-    points
 }

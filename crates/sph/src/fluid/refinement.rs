@@ -72,7 +72,7 @@ impl Fluid {
         if !Refinement::is_due(step) || matches!(self.formulation, Formulation::Joshi(_)) {
             return;
         }
-        let mut wanted = target::spacings(self, refinement, fronts);
+        let mut wanted = target::wanted(self, refinement, fronts);
         let before = self.kinetic_energy() + self.compression_energy();
         let merges = if step.is_multiple_of(MERGE_EVERY) {
             self.merge(&mut wanted)

@@ -13,11 +13,12 @@
 use crate::fluid::corrected::Settings;
 use crate::fluid::ghosts::Plane;
 use crate::fluid::kinematics::Kinematics;
-use crate::fluid::pair::{Pair, dot, half_ring};
+use crate::fluid::moments::Matrix;
+use crate::fluid::pair::{Pair, dot, half_ring, plus};
 use crate::fluid::places::{self, Places};
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum};
-use crate::geometry::{Geometry, Vec2};
+use crate::geometry::{self, Geometry, length};
 use crate::neighbours::pair_sum::{PairSum, Record, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
@@ -32,14 +33,14 @@ const LARGEST_SHARE: f64 = 0.1;
 const LEVELLING: f64 = 10.0;
 
 /// Shifting velocity of a particle with smoothing length `h`, m/s.
-pub(crate) fn velocity(h: f64, k: &Kinematics, s: &Settings) -> Vec2 {
+pub(crate) fn velocity<const D: usize>(h: f64, k: &Kinematics<D>, s: &Settings) -> [f64; D] {
     let strain = norm(&k.gradient);
-    let mut d = [0, 1].map(|i| -s.shifting * h * h * strain * k.crowding[i]);
+    let mut d = k.crowding.map(|c| -s.shifting * h * h * strain * c);
     let size = length(k.crowding);
     if k.support < SURFACE && size > 0.0 {
         let n = k.crowding.map(|c| c / size);
-        let along = d[0] * n[0] + d[1] * n[1];
-        d = [d[0] - along * n[0], d[1] - along * n[1]];
+        let along = geometry::dot(d, n);
+        d = std::array::from_fn(|i| d[i] - along * n[i]);
     }
     let limit = s.shifting_limit * h * strain;
     let speed = length(d);
@@ -50,90 +51,86 @@ pub(crate) fn velocity(h: f64, k: &Kinematics, s: &Settings) -> Vec2 {
     }
 }
 
-fn length(x: Vec2) -> f64 {
-    (x[0] * x[0] + x[1] * x[1]).sqrt()
-}
-
 /// Frobenius norm of a velocity gradient, 1/s.
-pub(crate) fn norm(g: &[Vec2; 2]) -> f64 {
-    (g[0][0].powi(2) + g[0][1].powi(2) + g[1][0].powi(2) + g[1][1].powi(2)).sqrt()
+pub(crate) fn norm<const D: usize>(g: &Matrix<D>) -> f64 {
+    g.iter().flatten().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 record! {
     /// What the exchange reads of a particle.
     struct Particle {
-        x, y, h, area,
+        position: [T; D],
+        h: T,
+        area: T,
         /// Shifting velocity, m/s.
-        shift_x, shift_y,
+        shift: [T; D],
         /// Rate of levelling, 1/s.
-        levelling,
-        density,
+        levelling: T,
+        density: T,
         /// Half of the length of the ring, m.
-        half_ring,
-        /// Velocity, m/s.
-        u, v,
+        half_ring: T,
+        /// m/s.
+        velocity: [T; D],
         /// Part of what it would give that it may give.
-        share,
+        share: T,
     }
 }
 
 record! {
     /// What a particle gets in one step.
     struct Gain {
-        volume, mass, momentum_x, momentum_y,
+        volume: T,
+        mass: T,
+        momentum: [T; D],
         /// Volume that it would give if it may give all, m3 (negative).
-        given,
+        given: T,
     }
 }
 
 /// The law.
-struct Exchange {
+struct Exchange<const D: usize> {
     dt: f64,
 }
 
 /// Memory of the sums.
-pub(crate) type Memory = places::Sums<Particle, Gain>;
+pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Gain<D>>;
 
 /// Moves volume, mass and momentum between neighbours for one step of shifting with velocities `shift`.
-pub(crate) fn exchange(fluid: &mut Fluid, sweep: &mut Sweep, shift: &[Vec2], dt: f64) {
+pub(crate) fn exchange<const D: usize>(
+    fluid: &mut Fluid<D>,
+    sweep: &mut Sweep<D>,
+    shift: &[[f64; D]],
+    dt: f64,
+) {
     let (ghosts, places, memory) = (&sweep.ghosts, &sweep.places, &mut sweep.memory.shifting);
-    let law = Exchange { dt };
+    let law = Exchange::<D> { dt };
     let geometry = fluid.geometry;
-    let image = |plane: &Plane, p| image(geometry, plane, p);
-    places.sum(
-        &law,
-        ghosts,
-        |a| particle(fluid, shift, a, 1.0),
-        image,
-        memory,
-    );
-    let given = |a: usize| -memory.results[places.place(a)].given;
-    let limited = (0..fluid.len())
+    let image = |plane: &Plane<D>, p| image(geometry, plane, p);
+    places.sum(&law, ghosts, |a| particle(fluid, shift, a), image, memory);
+    let most = |a: usize| LARGEST_SHARE * fluid.volume[a];
+    let given: Vec<f64> = (0..fluid.len())
         .into_par_iter()
         .with_min_len(PARTICLES_PER_TASK)
-        .filter(|a| given(*a) > LARGEST_SHARE * fluid.volume[*a])
-        .count();
+        .map(|a| -memory.results[places.of(a)].given)
+        .collect();
+    let limited = (0..fluid.len()).filter(|a| given[*a] > most(*a)).count();
     if limited > 0 {
-        let share = |a: usize| {
-            let given = given(a).max(f64::MIN_POSITIVE);
-            (LARGEST_SHARE * fluid.volume[a] / given).min(1.0)
+        let limit = |a: usize, p: &mut Particle<D>| {
+            let limited = given[a] > most(a);
+            if limited {
+                p.share = most(a) / given[a];
+            }
+            limited
         };
-        let share: Vec<f64> = (0..fluid.len()).map(share).collect();
-        places.sum(
-            &law,
-            ghosts,
-            |a| particle(fluid, shift, a, share[a]),
-            image,
-            memory,
-        );
+        places.sum_again(&law, ghosts, limit, image, memory);
     }
     fluid.account.limited_exchanges += limited as u64;
     fluid.take(&memory.results, places);
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Volume, mass and velocity with what was gained; kinetic energy lost in the mixing goes to the account.
-    fn take(&mut self, gains: &[Gain], places: &Places) {
+    fn take(&mut self, gains: &[Gain<D>], places: &Places<D>) {
         let eos = self.eos;
         let loss: Vec<f64> = (self.velocity.par_iter_mut())
             .zip(&mut self.mass)
@@ -141,11 +138,12 @@ impl Fluid {
             .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(a, ((velocity, mass), volume))| {
-                let gain = &gains[places.place(a)];
+                let gain = &gains[places.of(a)];
                 let before = super::energy(&eos, *mass, *volume, *velocity);
                 let m = *mass + gain.mass;
-                let momentum = [gain.momentum_x, gain.momentum_y];
-                *velocity = [0, 1].map(|i| (*mass * velocity[i] + momentum[i]) / m);
+                for (v, momentum) in velocity.iter_mut().zip(gain.momentum) {
+                    *v = (*mass * *v + momentum) / m;
+                }
                 *mass = m;
                 *volume += gain.volume;
                 before - super::energy(&eos, *mass, *volume, *velocity)
@@ -155,83 +153,75 @@ impl Fluid {
     }
 }
 
-fn particle(fluid: &Fluid, shift: &[Vec2], a: usize, share: f64) -> Particle {
-    let ([x, y], [u, v], [shift_x, shift_y]) = (fluid.position[a], fluid.velocity[a], shift[a]);
+fn particle<const D: usize>(fluid: &Fluid<D>, shift: &[[f64; D]], a: usize) -> Particle<D> {
+    let position = fluid.position[a];
     Particle {
-        x,
-        y,
+        position,
         h: fluid.smoothing_length[a],
         area: fluid.area(a),
-        shift_x,
-        shift_y,
+        shift: shift[a],
         levelling: LEVELLING * fluid.strain_rate[a],
         density: fluid.density(a),
-        half_ring: half_ring(fluid.geometry, x),
-        u,
-        v,
-        share,
+        half_ring: half_ring(fluid.geometry, position[0]),
+        velocity: fluid.velocity[a],
+        share: 1.0,
     }
 }
 
-fn image(geometry: Geometry, plane: &Plane, p: Particle) -> Particle {
-    let [x, y] = plane.mirror([p.x, p.y]);
-    let [u, v] = plane.mirror_velocity([p.u, p.v]);
-    let [shift_x, shift_y] = plane.mirror_direction([p.shift_x, p.shift_y]);
+fn image<const D: usize>(geometry: Geometry, plane: &Plane<D>, p: Particle<D>) -> Particle<D> {
+    let position = plane.mirror(p.position);
     Particle {
-        x,
-        y,
-        u,
-        v,
-        shift_x,
-        shift_y,
-        half_ring: half_ring(geometry, x),
+        position,
+        velocity: plane.mirror_velocity(p.velocity),
+        shift: plane.mirror_direction(p.shift),
+        half_ring: half_ring(geometry, position[0]),
         ..p
     }
 }
 
-impl PairSum for Exchange {
-    type Particle = Particle;
-    type Result = Gain;
-    type Sums<S: Simd> = Gain<S>;
+impl<const D: usize> PairSum for Exchange<D> {
+    type Particle = Particle<D>;
+    type Result = Gain<D>;
+    type Sums<S: Simd> = Gain<D, S>;
 
     #[inline(always)]
-    fn zero<S: Simd>() -> Gain<S> {
+    fn zero<S: Simd>() -> Gain<D, S> {
         Gain::default().splat()
     }
 
     #[inline(always)]
-    fn add<S: Simd>(&self, sums: &mut Gain<S>, a: &Particle<S>, b: &Particle<S>) {
+    fn add<S: Simd>(&self, sums: &mut Gain<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {
         let zero = S::splat(0.0);
         let flow = self.flow(a, b);
         sums.given = sums.given + flow.min(zero);
         let from_b = zero.lt(flow);
-        let upwind = |a: S, b: S| S::select(from_b, b, a);
-        let volume = flow * upwind(a.share, b.share);
-        let mass = volume * upwind(a.density, b.density);
+        let volume = flow * S::select(from_b, b.share, a.share);
+        let mass = volume * S::select(from_b, b.density, a.density);
         sums.volume = sums.volume + volume;
         sums.mass = sums.mass + mass;
-        sums.momentum_x = mass.mul_add(upwind(a.u, b.u), sums.momentum_x);
-        sums.momentum_y = mass.mul_add(upwind(a.v, b.v), sums.momentum_y);
+        for k in 0..D {
+            let velocity = S::select(from_b, b.velocity[k], a.velocity[k]);
+            sums.momentum[k] = mass.mul_add(velocity, sums.momentum[k]);
+        }
     }
 
     /// A curved surface mirrors each particle in a plane of its own: images of a pair do not match, mass would leak.
     #[inline(always)]
-    fn add_divided<S: Simd>(&self, _: &mut Gain<S>, _: &Particle<S>, _: &Particle<S>) {}
+    fn add_divided<S: Simd>(&self, _: &mut Gain<D, S>, _: &Particle<D, S>, _: &Particle<D, S>) {}
 
     #[inline(always)]
-    fn finish<S: Simd>(&self, sums: Gain<S>, _: &Particle<S>) -> Gain<S> {
+    fn finish<S: Simd>(&self, sums: Gain<D, S>, _: &Particle<D, S>) -> Gain<D, S> {
         sums
     }
 }
 
-impl Exchange {
+impl<const D: usize> Exchange<D> {
     /// Volume (m3) from b to a; exactly antisymmetric.
     #[inline(always)]
-    fn flow<S: Simd>(&self, a: &Particle<S>, b: &Particle<S>) -> S {
+    fn flow<S: Simd>(&self, a: &Particle<D, S>, b: &Particle<D, S>) -> S {
         let both = a.area + b.area;
-        let (pair, inverse_both) = Pair::new([a.x, a.y, a.h], [b.x, b.y, b.h], both);
-        let shift = [a.shift_x + b.shift_x, a.shift_y + b.shift_y];
-        let along = dot(shift, pair.separation) * pair.gradient;
+        let (pair, inverse_both) = Pair::new(&a.position, &b.position, a.h + b.h, both);
+        let along = dot(&plus(&a.shift, &b.shift), &pair.separation) * pair.gradient;
         // Twice the mean rate, 2 |grad v| times LEVELLING.
         let rate = (a.levelling + b.levelling) * pair.kernel;
         let difference = (b.area - a.area) * inverse_both;

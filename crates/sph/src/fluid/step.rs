@@ -12,8 +12,8 @@ use crate::fluid::ghosts::{Ghosts, Wall};
 use crate::fluid::kinematics::{self, Kinematics};
 use crate::fluid::momentum::{self, Forces};
 use crate::fluid::places::Places;
-use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting};
-use crate::geometry::Vec2;
+use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting, spacing};
+use crate::geometry::dot;
 use crate::neighbours::Neighbours;
 use crate::phases::{Phase, Phases};
 use rayon::prelude::*;
@@ -22,35 +22,49 @@ use rayon::prelude::*;
 const SKIN: f64 = 0.1;
 
 /// What the first half of a step hands to the second. Kept for the next step for the sake of its memory.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Sweep {
-    pub(crate) ghosts: Ghosts,
-    pub(crate) places: Places,
+#[derive(Debug, Clone)]
+pub(crate) struct Sweep<const D: usize = 2> {
+    pub(crate) ghosts: Ghosts<D>,
+    pub(crate) places: Places<D>,
     /// Neighbours of single particles, for the published formulation alone.
     pub(crate) list: Neighbours,
-    pub(crate) kinematics: Vec<Kinematics>,
-    pub(crate) memory: Memory,
+    pub(crate) memory: Memory<D>,
+}
+
+impl<const D: usize> Default for Sweep<D> {
+    fn default() -> Self {
+        Self {
+            ghosts: Ghosts::default(),
+            places: Places::default(),
+            list: Neighbours::default(),
+            memory: Memory::default(),
+        }
+    }
 }
 
 /// Memory of the sums over neighbours.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Memory {
-    kinematics: kinematics::Memory,
-    pub(crate) shifting: shifting::Memory,
-    pub(crate) momentum: momentum::Memory,
+#[derive(Debug, Clone)]
+pub(crate) struct Memory<const D: usize> {
+    pub(crate) kinematics: kinematics::Memory<D>,
+    pub(crate) shifting: shifting::Memory<D>,
+    pub(crate) momentum: momentum::Memory<D>,
 }
 
-impl Sweep {
-    /// Takes out the velocity gradients of particles that are not to `keep`.
-    pub(crate) fn retain_kinematics(&mut self, keep: &[bool]) {
-        let mut keep = keep.iter();
-        (self.kinematics).retain(|_| *keep.next().unwrap_or(&true));
+impl<const D: usize> Default for Memory<D> {
+    fn default() -> Self {
+        Self {
+            kinematics: kinematics::Memory::default(),
+            shifting: shifting::Memory::default(),
+            momentum: momentum::Memory::default(),
+        }
     }
+}
 
+impl<const D: usize> Sweep<D> {
     /// Ghosts, neighbours for a step of `dt`, velocity gradients.
     pub(crate) fn find(
-        fluid: &mut Fluid,
-        walls: &[&dyn Wall],
+        fluid: &mut Fluid<D>,
+        walls: &[&dyn Wall<D>],
         dt: f64,
         clock: &mut Phases,
     ) -> Self {
@@ -70,37 +84,46 @@ impl Sweep {
             &sweep.ghosts,
             &sweep.places,
             &mut sweep.memory.kinematics,
-            &mut sweep.kinematics,
         );
         sweep
     }
+
+    /// What the first sweep found for particle `a`.
+    #[inline]
+    pub(crate) fn kinematics(&self, a: usize) -> &Kinematics<D> {
+        &self.memory.kinematics.results[self.places.of(a)]
+    }
 }
 
-impl Fluid {
+impl<const D: usize> Fluid<D> {
     /// Steps 1 to 3: positions from t to t + dt; the velocity stays at the middle of the step.
     pub(crate) fn advance_positions(
         &mut self,
-        walls: &[&dyn Wall],
+        walls: &[&dyn Wall<D>],
         dt: f64,
         clock: &mut Phases,
-    ) -> Sweep {
+    ) -> Sweep<D> {
         self.kick(0.5 * dt);
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
         let mut sweep = Sweep::find(self, walls, dt, clock);
-        self.keep_kinematics(&sweep.kinematics);
+        self.keep_kinematics(&sweep);
         let extra = match self.formulation {
             Formulation::Corrected(s) => self.exchange_volume(&s, &mut sweep, dt),
             Formulation::Joshi(s) => {
-                self.advance_far_volume(&sweep.kinematics, dt);
+                self.advance_far_volume(&sweep, dt);
                 let x = Extended::new(self, &sweep.ghosts, &self.velocity);
                 self.smoothing_velocities(&x, &sweep, s.xsph)
             }
         };
         clock.lap(Phase::Sweeps);
-        for (x, u) in self.position.iter_mut().zip(&extra) {
-            *x = [x[0] + dt * u[0], x[1] + dt * u[1]];
-        }
+        (self.position.par_iter_mut().zip(&extra))
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|(x, u)| {
+                for (x, u) in x.iter_mut().zip(u) {
+                    *x += dt * u;
+                }
+            });
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
         sweep
@@ -110,15 +133,15 @@ impl Fluid {
     /// of solids, N per particle (whole ring).
     pub(crate) fn push(
         &mut self,
-        mut sweep: Sweep,
-        walls: &[&dyn Wall],
+        mut sweep: Sweep<D>,
+        walls: &[&dyn Wall<D>],
         dt: f64,
         time: f64,
         clock: &mut Phases,
-    ) -> Vec<Vec2> {
-        let predicted: Vec<Vec2> = (self.velocity.par_iter().zip(&self.acceleration))
+    ) -> Vec<[f64; D]> {
+        let predicted: Vec<[f64; D]> = (self.velocity.par_iter().zip(&self.acceleration))
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(v, a)| [0, 1].map(|i| v[i] + 0.5 * dt * a[i]))
+            .map(|(v, a)| std::array::from_fn(|i| v[i] + 0.5 * dt * a[i]))
             .collect();
         let ghosts = sweep.ghosts.refresh(self, walls);
         clock.lap(Phase::Boundaries);
@@ -127,10 +150,15 @@ impl Fluid {
             Formulation::Joshi(_) => self.sum_density(&ghosts, &sweep),
         }
         self.update_pressure();
-        let outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
+        let mut outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
             .with_min_len(PARTICLES_PER_TASK)
             .map(|(far, v)| far.pressure_outside(&self.eos, *v, time))
             .collect();
+        for (a, pressure) in self.gas_pressure.iter().enumerate() {
+            if !self.far_field[a].is_some() {
+                outside[a] = *pressure;
+            }
+        }
         let forces = match self.formulation {
             Formulation::Corrected(_) => {
                 momentum::sweep(self, &ghosts, &predicted, &outside, &mut sweep)
@@ -142,20 +170,24 @@ impl Fluid {
         };
         self.book(&forces, &predicted, &outside, &sweep, dt);
         self.sweep = sweep;
-        for (a, f) in self.acceleration.iter_mut().zip(&forces) {
-            *a = f.acceleration;
-        }
+        let reaction = (self.acceleration.par_iter_mut().zip(&forces))
+            .zip(&self.mass)
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|((a, f), m)| {
+                *a = f.acceleration;
+                f.wall.map(|w| -m * w)
+            })
+            .collect();
         clock.lap(Phase::Sweeps);
-        (forces.iter().zip(&self.mass))
-            .map(|(f, m)| f.wall.map(|w| -m * w))
-            .collect()
+        reaction
     }
 
-    fn keep_kinematics(&mut self, kinematics: &[Kinematics]) {
+    fn keep_kinematics(&mut self, sweep: &Sweep<D>) {
         (self.support.par_iter_mut().zip(&mut self.strain_rate))
-            .zip(kinematics)
+            .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
-            .for_each(|((support, strain_rate), k)| {
+            .for_each(|(a, (support, strain_rate))| {
+                let k = sweep.kinematics(a);
                 *support = k.support;
                 *strain_rate = shifting::norm(&k.gradient);
             });
@@ -164,26 +196,24 @@ impl Fluid {
     /// Dissipation and work of the far field during one step.
     fn book(
         &mut self,
-        forces: &[Forces],
-        velocity: &[Vec2],
+        forces: &[Forces<D>],
+        velocity: &[[f64; D]],
         outside: &[f64],
-        sweep: &Sweep,
+        sweep: &Sweep<D>,
         dt: f64,
     ) {
-        let dissipated = |a: usize| {
-            let (f, v) = (&forces[a].dissipation, velocity[a]);
-            self.mass[a] * (f[0] * v[0] + f[1] * v[1])
-        };
+        let dissipated = |a: usize| self.mass[a] * dot(forces[a].dissipation, velocity[a]);
         let leaving = |a: usize| {
             let (far, v) = (&self.far_field[a], velocity[a]);
             if !far.is_some() {
                 return 0.0;
             }
-            let half = 0.5 * self.area(a).sqrt();
-            let grad = sweep.kinematics[a].gradient;
-            let stretch =
-                |i: usize| half * (grad[i][0] * far.normal[0] + grad[i][1] * far.normal[1]);
-            let speed = far.normal[0] * (v[0] + stretch(0)) + far.normal[1] * (v[1] + stretch(1));
+            let half = 0.5 * spacing::<D>(self.area(a));
+            let stretch = sweep
+                .kinematics(a)
+                .gradient
+                .map(|row| half * dot(row, far.normal));
+            let speed = dot(far.normal, std::array::from_fn(|i| v[i] + stretch[i]));
             outside[a] * speed * far.face_area
         };
         let dissipation = ordered_sum(self.len(), dissipated);

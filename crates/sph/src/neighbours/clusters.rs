@@ -4,7 +4,7 @@
 //! the list of a cluster when its point lies within reach of at least one of the eight: |x_a - x_b| < reach_a + reach_b. For
 //! the other particles of the cluster it is a pair outside the support of the kernel, which adds exactly nothing.
 
-use crate::neighbours::boxes::{Extent, Points, Tree};
+use crate::neighbours::boxes::{Extent, Points, Tree, near};
 use crate::neighbours::pair_sum::{PairSum, SumBlock};
 use crate::simd::{self, LANES, Simd, Task};
 use rayon::prelude::*;
@@ -13,9 +13,9 @@ use rayon::prelude::*;
 const BLOCK: usize = 16;
 
 /// Lists of all clusters.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct ClusterLists {
-    tree: Tree,
+#[derive(Debug, Clone)]
+pub(crate) struct ClusterLists<const D: usize> {
+    tree: Tree<D>,
     blocks: Vec<Block>,
     clusters: usize,
     places: usize,
@@ -29,10 +29,21 @@ pub(crate) struct Block {
     pub(crate) ends: Vec<[u32; 2]>,
 }
 
-impl ClusterLists {
+impl<const D: usize> Default for ClusterLists<D> {
+    fn default() -> Self {
+        Self {
+            tree: Tree::default(),
+            blocks: Vec::new(),
+            clusters: 0,
+            places: 0,
+        }
+    }
+}
+
+impl<const D: usize> ClusterLists<D> {
     /// Finds lists for the first `clusters` of the groups of points. In each list the places from `divide` on come last, as a
     /// part of its own.
-    pub(crate) fn rebuild(&mut self, groups: &[Points], clusters: usize, divide: usize) {
+    pub(crate) fn rebuild(&mut self, groups: &[Points<D>], clusters: usize, divide: usize) {
         self.tree.rebuild(groups);
         self.clusters = clusters;
         self.places = groups.len() * LANES;
@@ -66,8 +77,33 @@ impl ClusterLists {
         records: &[L::Particle],
         results: &mut Vec<L::Result>,
     ) {
-        assert_eq!(records.len(), self.places, "one record per place");
         results.resize(self.clusters * LANES, L::Result::default());
+        self.sum_where(law, records, results, None);
+    }
+
+    /// The same for the clusters that hold one of the `marked` places or have one for a neighbour; the other results stay what
+    /// they are.
+    ///
+    /// # Panics
+    /// As [`Self::sum`].
+    pub(crate) fn sum_near<L: PairSum>(
+        &self,
+        law: &L,
+        records: &[L::Particle],
+        results: &mut [L::Result],
+        marked: &[bool],
+    ) {
+        self.sum_where(law, records, results, Some(marked));
+    }
+
+    fn sum_where<L: PairSum>(
+        &self,
+        law: &L,
+        records: &[L::Particle],
+        results: &mut [L::Result],
+        marked: Option<&[bool]>,
+    ) {
+        assert_eq!(records.len(), self.places, "one record per place");
         let (records, _) = records.as_chunks::<LANES>();
         (results.as_chunks_mut::<LANES>().0.par_chunks_mut(BLOCK))
             .zip(&self.blocks)
@@ -76,24 +112,25 @@ impl ClusterLists {
                 simd::run(SumBlock {
                     law,
                     records,
-                    own: &records[b * BLOCK..],
+                    first: b * BLOCK,
                     block,
                     results,
+                    marked,
                 });
             });
     }
 }
 
 /// Finds the lists of some clusters.
-struct Search<'a> {
-    tree: &'a Tree,
-    groups: &'a [Points],
+struct Search<'a, const D: usize> {
+    tree: &'a Tree<D>,
+    groups: &'a [Points<D>],
     clusters: std::ops::Range<usize>,
     divide: usize,
     block: &'a mut Block,
 }
 
-impl Task for Search<'_> {
+impl<const D: usize> Task for Search<'_, D> {
     type Output = ();
 
     #[inline(always)]
@@ -111,7 +148,7 @@ impl Task for Search<'_> {
                     if first >= self.divide && divided.is_none() {
                         divided = Some(block.neighbour.len());
                     }
-                    let mut bits = within_reach::<S>(own, &self.groups[group]);
+                    let mut bits = within_reach::<S, D>(own, &self.groups[group]);
                     while bits != 0 {
                         block.neighbour.push((first as u32) + bits.trailing_zeros());
                         bits &= bits - 1;
@@ -125,13 +162,14 @@ impl Task for Search<'_> {
 
 /// Which of the points `other` lie within reach of one of the points `own`.
 #[inline(always)]
-fn within_reach<S: Simd>(own: &Points, other: &Points) -> u8 {
-    let [x, y, reach] = other.each_ref().map(S::load);
+fn within_reach<S: Simd, const D: usize>(own: &Points<D>, other: &Points<D>) -> u8 {
     let mut bits = 0;
-    for ((&own_x, &own_y), &own_reach) in own[0].iter().zip(&own[1]).zip(&own[2]) {
-        let (dx, dy) = (x - S::splat(own_x), y - S::splat(own_y));
-        let r = reach + S::splat(own_reach);
-        bits |= S::bits(dx.mul_add(dx, dy * dy).lt(r * r));
+    for i in 0..LANES {
+        let mut x = [0.0; D];
+        for k in 0..D {
+            x[k] = own.position[k][i];
+        }
+        bits |= near::<S, D>(x, own.reach[i], other);
     }
     bits
 }
@@ -139,11 +177,10 @@ fn within_reach<S: Simd>(own: &Points, other: &Points) -> u8 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::neighbours::boxes::NO_POINTS;
     use crate::neighbours::order::compact_order;
 
     /// Random points with reaches in a ratio of 1:8, in compact order, the last places of the groups empty.
-    fn groups(n: usize) -> Vec<Points> {
+    fn groups(n: usize) -> Vec<Points<2>> {
         let mut state = n as u64;
         let mut next = || {
             state = state
@@ -154,10 +191,9 @@ mod tests {
         let x: Vec<[f64; 2]> = (0..n).map(|_| [next(), 2.0 * next()]).collect();
         let reach: Vec<f64> = x.iter().map(|x| 0.01 * (1.0 + 7.0 * x[0])).collect();
         let group = |members: &[u32]| {
-            let mut points = NO_POINTS;
+            let mut points = Points::NONE;
             for (i, &a) in members.iter().enumerate() {
-                let a = a as usize;
-                [points[0][i], points[1][i], points[2][i]] = [x[a][0], x[a][1], reach[a]];
+                points.set(i, x[a as usize], reach[a as usize]);
             }
             points
         };
@@ -173,11 +209,11 @@ mod tests {
             let clusters = groups.len() / 2;
             let divide = (groups.len() * 3 / 4) * LANES;
             lists.rebuild(&groups, clusters, divide);
-            let near = |own: &Points, b: usize| {
+            let near = |own: &Points<2>, b: usize| {
                 let other = &groups[b / LANES];
                 (0..LANES).any(|i| {
-                    let d = [0, 1].map(|k| own[k][i] - other[k][b % LANES]);
-                    d[0].hypot(d[1]) < own[2][i] + other[2][b % LANES]
+                    let d = [0, 1].map(|k| own.position[k][i] - other.position[k][b % LANES]);
+                    d[0].hypot(d[1]) < own.reach[i] + other.reach[b % LANES]
                 })
             };
             let mut begin = 0;

@@ -1,43 +1,47 @@
 //! The order of particles in which each eight that follow each other lie close together.
 //!
-//! Particles are halved across the longer side of the box around them, the halves again, down to [`LANES`]. The first part
+//! Particles are halved across the longest side of the box around them, the halves again, down to [`LANES`]. The first part
 //! always has a power of two of clusters, so that 8, 64, 512 ... clusters that follow each other are compact as well. No
 //! spacing enters: graded and uniform particles are the same.
 
-use crate::geometry::Vec2;
 use crate::simd::LANES;
+use std::cmp::Ordering;
 
 /// Parts with fewer particles are not given to other threads.
 const SERIAL: usize = 2048;
 
-struct Point {
-    position: Vec2,
+struct Point<const D: usize> {
+    position: [f64; D],
     index: u32,
 }
 
 /// The order: place i is taken by particle `order[i]`. It depends on the positions alone, except for coincident ones.
-pub(crate) fn compact_order(position: &[Vec2]) -> Vec<u32> {
-    let point = |(i, x): (usize, &Vec2)| Point {
+pub fn compact_order<const D: usize>(position: &[[f64; D]]) -> Vec<u32> {
+    let point = |(i, x): (usize, &[f64; D])| Point {
         position: *x,
         index: i as u32,
     };
-    let mut points: Vec<Point> = position.iter().enumerate().map(point).collect();
+    let mut points: Vec<Point<D>> = position.iter().enumerate().map(point).collect();
     halve(&mut points);
     points.iter().map(|p| p.index).collect()
 }
 
-fn halve(points: &mut [Point]) {
+fn halve<const D: usize>(points: &mut [Point<D>]) {
     if points.len() <= LANES {
         points.sort_unstable_by_key(|p| p.index);
         return;
     }
     let clusters = points.len().div_ceil(LANES);
     let first = clusters.next_power_of_two() / 2 * LANES;
-    let k = longer_side(points);
+    let k = longest_side(points);
     points.select_nth_unstable_by(first, |p, q| {
-        let along = p.position[k].total_cmp(&q.position[k]);
-        let across = || p.position[1 - k].total_cmp(&q.position[1 - k]);
-        along.then_with(across).then_with(|| p.index.cmp(&q.index))
+        // Along the side first, then along the others.
+        let mut order = Ordering::Equal;
+        for i in 0..D {
+            let axis = (k + i) % D;
+            order = order.then_with(|| p.position[axis].total_cmp(&q.position[axis]));
+        }
+        order.then_with(|| p.index.cmp(&q.index))
     });
     let serial = points.len() < SERIAL;
     let (left, right) = points.split_at_mut(first);
@@ -49,21 +53,28 @@ fn halve(points: &mut [Point]) {
     }
 }
 
-/// The coordinate along which the points reach farther.
-fn longer_side(points: &[Point]) -> usize {
-    let (mut lower, mut upper) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+/// The coordinate along which the points reach farthest.
+fn longest_side<const D: usize>(points: &[Point<D>]) -> usize {
+    let (mut lower, mut upper) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
     for p in points {
-        for k in 0..2 {
+        for k in 0..D {
             lower[k] = lower[k].min(p.position[k]);
             upper[k] = upper[k].max(p.position[k]);
         }
     }
-    usize::from(upper[1] - lower[1] > upper[0] - lower[0])
+    let mut longest = 0;
+    for k in 1..D {
+        if upper[k] - lower[k] > upper[longest] - lower[longest] {
+            longest = k;
+        }
+    }
+    longest
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Vec2;
 
     #[test]
     fn clusters_of_a_lattice_are_compact() {
@@ -89,6 +100,20 @@ mod tests {
     }
 
     #[test]
+    fn clusters_in_space_are_cubes() {
+        let lattice: Vec<[f64; 3]> = (0..4096)
+            .map(|i| [i % 16, i / 16 % 16, i / 256].map(f64::from))
+            .collect();
+        for cluster in compact_order(&lattice).chunks(LANES) {
+            for k in 0..3 {
+                let all = || cluster.iter().map(|&i| lattice[i as usize][k]);
+                let extent = all().fold(0.0, f64::max) - all().fold(f64::INFINITY, f64::min);
+                assert_eq!(extent, 1.0);
+            }
+        }
+    }
+
+    #[test]
     fn the_present_order_does_not_matter() {
         let x: Vec<Vec2> = (0..777)
             .map(|i| [f64::from(i * 37 % 101), f64::from(i * i % 97)])
@@ -105,6 +130,6 @@ mod tests {
             places.chunks(LANES).map(sorted).collect()
         };
         assert_eq!(clusters(&one, &x), clusters(&other, &mirrored));
-        assert!(compact_order(&[]).is_empty());
+        assert!(compact_order::<2>(&[]).is_empty());
     }
 }

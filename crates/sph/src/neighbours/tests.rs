@@ -1,4 +1,5 @@
 use super::*;
+use crate::geometry::Vec2;
 
 fn random(n: usize, seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ n as u64;
@@ -74,36 +75,13 @@ fn does_not_depend_on_threads() {
     assert_eq!(with(1), with(3));
 }
 
-#[test]
-fn cell_order_is_a_stable_permutation_that_brings_neighbours_together() {
-    let (mut x, h) = cloud(2000, 9, true);
-    x[1200] = x[100];
-    let mut equal_h = h.clone();
-    equal_h[1200] = equal_h[100];
-    let order = cell_order(&x, &equal_h);
-    let mut sorted = order.clone();
-    sorted.sort_unstable();
-    assert!(sorted.iter().enumerate().all(|(i, &o)| i == o as usize));
-    let place = |p: u32| order.iter().position(|&o| o == p).unwrap();
-    assert!(place(100) < place(1200));
-    let gap = |x: &[Vec2], h: &[f64]| {
-        let list = Neighbours::build(x, h, x.len(), 0.0);
-        let distance = |a: usize| list.of(a).iter().map(move |&b| a.abs_diff(b as usize));
-        let total: usize = (0..x.len()).flat_map(distance).sum();
-        total as f64 / list.pairs() as f64
-    };
-    let moved: Vec<Vec2> = order.iter().map(|&o| x[o as usize]).collect();
-    let moved_h: Vec<f64> = order.iter().map(|&o| equal_h[o as usize]).collect();
-    assert!(gap(&moved, &moved_h) < 0.3 * gap(&x, &equal_h));
-}
-
 /// Prints the speed: `cargo test --release -p erode-sph neighbours -- --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement"]
 fn speed() {
     for ratio in [1.0, 8.0_f64] {
         let (x, h) = sheet(ratio);
-        let order = cell_order(&x, &h);
+        let order = compact_order(&x);
         let x: Vec<Vec2> = order.iter().map(|&o| x[o as usize]).collect();
         let h: Vec<f64> = order.iter().map(|&o| h[o as usize]).collect();
         let pool = rayon::ThreadPoolBuilder::new()

@@ -5,6 +5,7 @@
 //! The work of a face is taken at its deformed surface points, where the liquid sees it.
 
 use super::{Face, Solid};
+use crate::fluid::ordered_sum;
 use crate::geometry::Vec2;
 
 /// Energies of a solid, J (of the whole ring in axisymmetry, per metre in plane strain).
@@ -58,8 +59,8 @@ impl Solid {
     /// Elastic energy of a particle, J: (1 - D) times that of the sound material.
     pub(super) fn elastic_energy(&self, a: usize) -> f64 {
         let kirchhoff = self.state.stress[a] * self.volume_ratio(a);
-        let integrity = self.damage.integrity(self.state.damage[a]);
-        let energy = self.material.elastic.energy_density(kirchhoff);
+        let integrity = self.damage_of(a).integrity(self.state.damage[a]);
+        let energy = self.material_of(a).elastic.energy_density(kirchhoff);
         if integrity > 0.0 {
             self.reference.volume[a] * energy / integrity
         } else {
@@ -84,10 +85,11 @@ impl Solid {
     pub fn account(&mut self, dt: f64) {
         self.follow_surfaces();
         let (velocity, mass) = (&self.state.velocity, &self.reference.mass);
-        let power = |part: &[Vec2]| -> f64 {
-            (part.iter().zip(velocity).zip(mass))
-                .map(|((a, v), m)| m * (a[0] * v[0] + a[1] * v[1]))
-                .sum()
+        let power = |part: &[Vec2]| {
+            ordered_sum(part.len(), |a| {
+                let (force, v) = (part[a], velocity[a]);
+                mass[a] * (force[0] * v[0] + force[1] * v[1])
+            })
         };
         let (viscous, hourglass) = (power(&self.scratch.viscous), power(&self.scratch.hourglass));
         let work = &mut self.state.work;

@@ -16,6 +16,12 @@ pub enum SolidError {
         /// The rule it breaks.
         why: String,
     },
+    /// The layers do not fit.
+    #[error("the layers of the solid are not usable: {why}")]
+    BadLayers {
+        /// The rule they break.
+        why: String,
+    },
     /// Array lengths.
     #[error(
         "a solid needs as many areas as positions and at least one; got {positions} and {areas}"

@@ -4,7 +4,8 @@
 //!
 //! less what a uniform stress would leave of it on a packing that is no lattice (`balance.rs`).
 //!
-//! Added in the same sum over real particles and mirror images, both weighted with the mean of |R_a| and |R_b|:
+//! Added in the same sum over real particles and mirror images, both weighted with the mean of |R_a| and |R_b|, with
+//! the smaller rho0 c_l and E where two materials meet:
 //! viscosity alpha rho0 c_l h (v_ab.x_ab)/|X|^2 (dW/dX)/X x_ab on approach (Joshi 2018, eq. 5.22 with beta = 0, the
 //! reference distance in place of the present one), for pairs of the first row of an open face also on separation; and
 //! the hourglass penalty zeta E W/|X|^2 [(F_a + F_b)/2 X_ab - x_ab], zero for every linear field.
@@ -16,6 +17,7 @@
 //! R is the signed radius in axisymmetry and 1 in plane strain. Units: SI.
 
 use super::images::{Flux, Image};
+use super::layers::Materials;
 use super::mat2::{Mat2, apply, combine, determinant, product, scaled};
 use super::pairs::Pair;
 use super::reference::Reference;
@@ -105,14 +107,16 @@ impl Scratch {
         let d = [0, 1].map(|i| own.position[i] - other.position[i]);
         let v = [0, 1].map(|i| own.velocity[i] - other.velocity[i]);
         let along = v[0] * d[0] + v[1] * d[1];
-        let approach = along * if along < 0.0 { p.viscous } else { p.separating };
+        let per_density = 1.0 / reference.density[a];
+        let approach = per_density * along * if along < 0.0 { p.viscous } else { p.separating };
+        let stiffness = per_density * p.hourglass;
         let (q, f) = (
             combine(&own.flux, 1.0, &other.flux, 1.0),
             combine(&own.half_deformation, 1.0, &other.half_deformation, 1.0),
         );
         let (force, linear) = (apply(&q, g), apply(&f, p.offset));
         let scale = 1.0 / (reference.density[a] * reference.weight[a]);
-        [0, 1].map(|i| force[i] * scale + approach * d[i] + p.hourglass * (linear[i] - d[i]))
+        [0, 1].map(|i| force[i] * scale + approach * d[i] + stiffness * (linear[i] - d[i]))
     }
 
     /// Acceleration from the sums over pairs, the open images and the hoop stress.
@@ -135,9 +139,9 @@ impl Scratch {
         force[0] -= imbalance[0] + self.hoop[a];
         force[1] -= imbalance[1];
         let scale = 1.0 / (reference.density[a] * reference.weight[a]);
-        let s = &reference.pairs.stabilisers;
-        let viscous = [sum[2], sum[3]].map(|x| 0.25 * s.speed * x);
-        let hourglass = [sum[4], sum[5]].map(|x| 0.25 * s.stiffness * x);
+        let half = 0.5 / reference.density[a];
+        let viscous = [sum[2], sum[3]].map(|x| half * x);
+        let hourglass = [sum[4], sum[5]].map(|x| half * x);
         Parts {
             total: [0, 1].map(|i| force[i] * scale + viscous[i] + hourglass[i]),
             viscous,
@@ -232,6 +236,10 @@ impl Solid {
     }
 
     fn set_tractions(&mut self) {
+        let materials = Materials {
+            own: &self.material,
+            layers: &self.layers,
+        };
         for surface in &mut self.surfaces {
             for j in 0..surface.particle.len() {
                 if surface.driven[j] {
@@ -242,7 +250,7 @@ impl Solid {
                     [0.0; 2]
                 } else if surface.face == Face::Absorbing {
                     let (stress, velocity) = (self.state.stress[a], self.state.velocity[a]);
-                    absorbing::traction(&self.material, surface, stress, velocity)
+                    absorbing::traction(materials.of(a), surface, stress, velocity)
                 } else {
                     let mut t = surface.contact[j];
                     t[surface.side.normal_axis()] -= surface.pressure[j] * surface.side.sign();

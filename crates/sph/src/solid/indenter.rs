@@ -11,6 +11,7 @@
 //! meets beneath, as on a strip half a spacing above their centres.
 //! Units: SI. Range: the circle is large beside the spacing; no friction, no rotation.
 
+use super::layers::Materials;
 use super::surface::Surface;
 use super::{Face, Side, Solid, SolidError};
 use crate::geometry::{Geometry, Vec2};
@@ -113,10 +114,11 @@ impl Indenter {
 
 impl Surface {
     /// Sets the tractions of contact from the positions and velocities of the points.
-    fn press(&mut self, material: &Material, indenter: &Indenter) {
+    fn press(&mut self, materials: Materials, indenter: &Indenter) {
         for j in (0..self.width.len()).filter(|&j| !self.driven[j]) {
             let (x, v) = (self.position[j], self.velocity[j]);
             self.contact[j] = if self.holds[j] {
+                let material = materials.of(self.particle[j]);
                 indenter.traction(material, self.width[j], x, v)
             } else {
                 [0.0; 2]
@@ -170,7 +172,7 @@ impl Solid {
             let distance = away[0].hypot(away[1]);
             // The place of the particle nearest to the indenter.
             let edge = [0, 1].map(|i| x[i] + 0.5 * width * away[i] / distance.max(width));
-            let traction = indenter.traction(&self.material, width, edge, v);
+            let traction = indenter.traction(self.material_of(a), width, edge, v);
             if traction != [0.0; 2] {
                 let area = width * self.geometry.ring(self.reference.position[a][0]);
                 let force = traction.map(|t| t * area);
@@ -194,10 +196,14 @@ impl Solid {
 
     /// The same with the face points where they are.
     pub(super) fn press_points(&mut self) {
+        let materials = Materials {
+            own: &self.material,
+            layers: &self.layers,
+        };
         if let Some(indenter) = &self.indenter
             && let Some(surface) = self.surfaces.iter_mut().find(|s| s.side == indenter.side)
         {
-            surface.press(&self.material, indenter);
+            surface.press(materials, indenter);
         }
     }
 }

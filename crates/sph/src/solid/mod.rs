@@ -14,8 +14,10 @@ mod failure;
 mod force;
 mod images;
 mod indenter;
+mod layers;
 mod mat2;
 mod pairs;
+mod patches;
 mod points;
 mod quasi_static;
 mod reference;
@@ -23,6 +25,7 @@ mod renewal;
 mod resolution;
 mod return_in_lanes;
 mod search;
+pub mod space;
 mod state;
 mod step;
 mod stress;
@@ -34,6 +37,7 @@ pub use block::{Block, Driven, Face, Side, Tangential};
 pub use energy::Energy;
 pub use error::SolidError;
 pub use indenter::Indenter;
+pub use layers::{Layer, Layers};
 pub use mat2::Mat2;
 pub use quasi_static::{QuasiStatic, Share, smoothstep};
 pub use reference::Reference;
@@ -47,6 +51,7 @@ use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
 use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
+use layers::Materials;
 use reference::Layout;
 use serde::{Deserialize, Serialize};
 
@@ -104,10 +109,12 @@ pub struct Solid {
     pub geometry: Geometry,
     /// Reference rectangle and its faces.
     pub block: Block,
-    /// Material.
+    /// Material below the layers.
     pub material: Material,
-    /// When the material fails; never unless set.
+    /// When that material fails; never unless set.
     pub damage: Damage,
+    /// Layers of other materials at the top.
+    pub layers: Layers,
     /// Numerical constants.
     pub numerics: Numerics,
     /// Reference configuration.
@@ -147,6 +154,14 @@ impl Solid {
     /// If the block is wrong, a particle lies outside of it or has no positive area, or a particle has too few
     /// neighbours for a gradient.
     pub fn new(setup: Setup) -> Result<Self, SolidError> {
+        Self::layered(setup, Vec::new())
+    }
+
+    /// The same with layers of other materials, the first one at the top.
+    ///
+    /// # Errors
+    /// As [`Self::new`], or if the layers are no thicker than the particles or do not fit into the body.
+    pub fn layered(setup: Setup, layers: Vec<Layer>) -> Result<Self, SolidError> {
         setup.check()?;
         let Setup {
             geometry,
@@ -156,8 +171,13 @@ impl Solid {
             position,
             area,
         } = setup;
-        let layout = Layout::first(geometry, &material, &numerics, position, area);
-        let mut reference = Reference::new(geometry, &block, &material, &numerics, layout)?;
+        let layers = Layers::new(layers, &block, &numerics, &position, &area)?;
+        let materials = Materials {
+            own: &material,
+            layers: &layers,
+        };
+        let layout = Layout::first(geometry, materials, &numerics, position, area);
+        let mut reference = Reference::new(geometry, &block, materials, &numerics, layout)?;
         let surfaces = Side::ALL
             .into_iter()
             .filter(|&side| !block.face(side).mirrors())
@@ -180,6 +200,7 @@ impl Solid {
             block,
             material,
             damage: Damage::None,
+            layers,
             numerics,
             scratch: force::Scratch::of(&reference, &surfaces),
             reference,
@@ -203,6 +224,41 @@ impl Solid {
         self.len() == 0
     }
 
+    fn materials(&self) -> Materials<'_> {
+        Materials {
+            own: &self.material,
+            layers: &self.layers,
+        }
+    }
+
+    /// Material of a particle.
+    #[must_use]
+    pub fn material_of(&self, particle: usize) -> &Material {
+        self.materials().of(particle)
+    }
+
+    /// When a particle fails.
+    #[must_use]
+    pub fn damage_of(&self, particle: usize) -> &Damage {
+        match self.layers.index(particle) {
+            0 => &self.damage,
+            k => &self.layers.list()[k - 1].damage,
+        }
+    }
+
+    /// Longitudinal wave speed of each material: of the body, then of its layers, m/s.
+    pub(super) fn wave_speeds(&self) -> impl Iterator<Item = f64> + '_ {
+        let layers = self.layers.list().iter().map(|l| &l.material);
+        let all = std::iter::once(&self.material).chain(layers);
+        all.map(|m| m.elastic.longitudinal_speed(m.density))
+    }
+
+    /// Longitudinal wave speed of the fastest of its materials, m/s.
+    #[must_use]
+    pub fn wave_speed(&self) -> f64 {
+        self.wave_speeds().fold(0.0, f64::max)
+    }
+
     /// J = present volume / volume in the first configuration of a particle.
     #[must_use]
     pub fn volume_ratio(&self, particle: usize) -> f64 {
@@ -215,7 +271,7 @@ impl Solid {
     /// Density of a particle, kg/m3.
     #[must_use]
     pub fn density(&self, particle: usize) -> f64 {
-        self.material.density / self.volume_ratio(particle)
+        self.material_of(particle).density / self.volume_ratio(particle)
     }
 
     /// The surface on a side; none where the body is mirrored (axis, symmetry, clamped). On a free face it only follows the body.

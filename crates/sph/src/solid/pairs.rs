@@ -12,6 +12,7 @@
 //! A particle taken out of the body has area 0 here.
 
 use super::images::Image;
+use super::patches;
 use super::search::Cloud;
 use crate::geometry::Vec2;
 use crate::kernel;
@@ -28,11 +29,11 @@ pub(super) struct Pair {
     pub(super) offset: Vec2,
     /// A_b (dW/dX)/X: times `offset` it is A_b grad_a W.
     pub(super) gradient: f64,
-    /// Coefficient of the viscous acceleration on approach, see `force.rs`.
+    /// Coefficient of the viscous acceleration on approach times the density, see `force.rs`.
     pub(super) viscous: f64,
     /// The same on separation.
     pub(super) separating: f64,
-    /// Coefficient of the hourglass acceleration, see `force.rs`.
+    /// Coefficient of the hourglass acceleration times the density, see `force.rs`.
     pub(super) hourglass: f64,
 }
 
@@ -42,27 +43,18 @@ pub(super) struct Pair {
 pub(super) struct Fixed {
     /// Position, m.
     pub(super) position: Vec2,
-    /// Area, 0 when taken out, in the unit of the stored gradients, and of the stored values.
-    pub(super) area: [f64; 2],
+    /// Area, 0 when taken out, in the unit of the stored gradients.
+    pub(super) area: f64,
     /// Half the smoothing length, m.
     pub(super) half_length: f64,
     /// R in axisymmetry, 1 in plane strain.
     pub(super) weight: f64,
-    /// Density, kg/m3.
-    pub(super) density: f64,
+    /// Density times longitudinal wave speed, kg/(m2 s).
+    pub(super) impedance: f64,
+    /// Hourglass stiffness zeta E, Pa, in the unit of the stored values.
+    pub(super) stiffness: f64,
     /// Viscosity of pairs with this particle on separation: not 0 in the first row of an open face.
     pub(super) edge: f64,
-}
-
-/// Constants of the stabilisers.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Stabilisers {
-    /// Least viscosity on approach.
-    pub(super) viscosity: f64,
-    /// Longitudinal wave speed, m/s.
-    pub(super) speed: f64,
-    /// Hourglass stiffness zeta E/rho, m2/s2.
-    pub(super) stiffness: f64,
 }
 
 /// Everything about a particle or mirror image that its pairs depend on.
@@ -70,7 +62,8 @@ pub(super) struct Stabilisers {
 pub(super) struct Source {
     pub(super) area: f64,
     pub(super) weight: f64,
-    pub(super) density: f64,
+    pub(super) impedance: f64,
+    pub(super) stiffness: f64,
     pub(super) edge: f64,
 }
 
@@ -87,7 +80,8 @@ pub(super) struct Pairs {
     gradient: Vec<[f32; LANES]>,
     value: Vec<[f32; LANES]>,
     pub(super) fixed: Vec<Fixed>,
-    pub(super) stabilisers: Stabilisers,
+    /// Least viscosity on approach.
+    pub(super) viscosity: f64,
 }
 
 /// One entry in the list of a cluster.
@@ -103,7 +97,7 @@ impl Pairs {
     pub(super) fn new(
         cloud: &Cloud,
         lists: &[Vec<u32>],
-        stabilisers: Stabilisers,
+        viscosity: f64,
         source: impl Fn(usize) -> Source,
     ) -> Self {
         let real = cloud.particles + cloud.mirror_images.len();
@@ -113,10 +107,11 @@ impl Pairs {
             let s = source(cloud.source[j] as usize);
             Fixed {
                 position: cloud.points[j],
-                area: [s.area * unit.powi(-6), s.area * unit.powi(-4)],
+                area: s.area * unit.powi(-6),
                 half_length: 0.5 * h[j],
                 weight: s.weight,
-                density: s.density,
+                impedance: s.impedance,
+                stiffness: s.stiffness * unit.powi(2),
                 edge: s.edge,
             }
         };
@@ -133,7 +128,7 @@ impl Pairs {
             slot,
             start: vec![0],
             fixed: (0..real).map(fixed).collect(),
-            stabilisers,
+            viscosity,
             ..Self::default()
         };
         for part in parts {
@@ -203,20 +198,20 @@ impl Pairs {
         let (own, other) = (&self.fixed[a], &self.fixed[self.neighbour(place)]);
         let offset = [0, 1].map(|k| own.position[k] - other.position[k]);
         let square = offset[0] * offset[0] + offset[1] * offset[1];
-        let there = f64::from(u8::from(own.area[0] != 0.0));
-        let cubed = there * f64::from(self.gradient[place][lane]) * other.area[0];
-        let mean =
-            there * 0.25 * (1.0 + other.weight / own.weight) * (1.0 + other.density / own.density);
-        let s = &self.stabilisers;
+        let there = f64::from(u8::from(own.area != 0.0));
+        let cubed = there * f64::from(self.gradient[place][lane]) * other.area;
+        let mean = there * 0.5 * (1.0 + other.weight / own.weight);
+        let impedance = mean * own.impedance.min(other.impedance);
+        let stiffness = mean * own.stiffness.min(other.stiffness);
         let edge = own.edge.max(other.edge);
         let length = own.half_length + other.half_length;
         Pair {
             neighbour: self.neighbour[place],
             offset,
             gradient: cubed * square,
-            viscous: edge.max(s.viscosity) * s.speed * length * cubed * mean,
-            separating: edge * s.speed * length * cubed * mean,
-            hourglass: s.stiffness * f64::from(self.value[place][lane]) * other.area[1] * mean,
+            viscous: edge.max(self.viscosity) * length * cubed * impedance,
+            separating: edge * length * cubed * impedance,
+            hourglass: f64::from(self.value[place][lane]) * other.area * stiffness,
         }
     }
 
@@ -232,12 +227,12 @@ impl Pairs {
         let (particles, beyond) = self.fixed.split_at_mut(forgotten.len());
         for (fixed, gone) in particles.iter_mut().zip(forgotten) {
             if *gone {
-                fixed.area = [0.0; 2];
+                fixed.area = 0.0;
             }
         }
         for (fixed, image) in beyond.iter_mut().zip(images) {
             if forgotten[image.source as usize] {
-                fixed.area = [0.0; 2];
+                fixed.area = 0.0;
             }
         }
     }
@@ -305,60 +300,8 @@ impl List {
     }
 }
 
-/// Particles in compact patches of [`LANES`], neighbours of each other in the order where they can be.
+/// Particles in compact patches of [`LANES`]; the last one is filled up with its last particle.
 fn patches(position: &[Vec2]) -> Vec<[u32; LANES]> {
-    let mut order: Vec<u32> = (0..position.len() as u32).collect();
-    halve(position, &mut order);
     let patch = |c: &[u32]| std::array::from_fn(|k| c[k.min(c.len() - 1)]);
-    order.chunks(LANES).map(patch).collect()
-}
-
-fn halve(position: &[Vec2], order: &mut [u32]) {
-    if order.len() <= LANES {
-        return order.sort_unstable();
-    }
-    let extent = |k: usize| {
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for &a in order.iter() {
-            let x = position[a as usize][k];
-            (low, high) = (low.min(x), high.max(x));
-        }
-        high - low
-    };
-    let k = usize::from(extent(1) > extent(0));
-    let half = (order.len() / 2).div_ceil(LANES) * LANES;
-    order.select_nth_unstable_by(half, |&a, &b| {
-        let at = |i: u32| position[i as usize][k];
-        at(a).total_cmp(&at(b)).then(a.cmp(&b))
-    });
-    let (first, second) = order.split_at_mut(half);
-    halve(position, first);
-    halve(position, second);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn patches_hold_every_particle_once_and_are_compact() {
-        let n = 37 * 29;
-        let position: Vec<Vec2> = (0..n).map(|k| [(k % 37) as f64, (k / 37) as f64]).collect();
-        let patches = patches(&position);
-        let mut seen: Vec<u32> = patches.as_flattened().to_vec();
-        seen.sort_unstable();
-        seen.dedup();
-        assert_eq!(seen, (0..n as u32).collect::<Vec<_>>());
-        let size = |p: &[u32; LANES]| -> f64 {
-            let extent = |k: usize| {
-                let at = p.map(|a| position[a as usize][k]);
-                at.iter().fold(0.0, |m: f64, x| m.max(*x))
-                    - at.iter().fold(99.0, |m: f64, x| m.min(*x))
-            };
-            (extent(0) + 1.0) * (extent(1) + 1.0)
-        };
-        let mean = patches.iter().map(size).sum::<f64>() / patches.len() as f64;
-        // Eight cells cover eight unit squares; odd sizes leave gaps in some boxes.
-        assert!(mean < 13.0, "{mean}");
-    }
+    patches::order(position).chunks(LANES).map(patch).collect()
 }

@@ -1,5 +1,6 @@
 //! The stress update of a step at each particle, eight at a time; the formulas stand in `stress.rs`.
 
+use super::layers::Layers;
 use super::mat2::Mat2;
 use super::return_in_lanes::{Returned, Trial, YieldStress};
 use super::stress::{Failure, advanced, summed};
@@ -31,13 +32,30 @@ struct Fields<'a> {
 
 /// What it needs besides.
 struct Laws<'a> {
-    material: &'a Material,
-    yields: Option<YieldStress>,
-    damage: &'a Damage,
+    /// Of the body, then of its layers.
+    laws: Vec<Law<'a>>,
+    layers: &'a Layers,
     removed: &'a [f64],
     /// Volume here over volume in the first configuration.
     first: &'a [f64],
     dt: f64,
+}
+
+/// What one material does.
+struct Law<'a> {
+    material: &'a Material,
+    yields: Option<YieldStress>,
+    damage: &'a Damage,
+}
+
+impl<'a> Law<'a> {
+    fn of(material: &'a Material, damage: &'a Damage) -> Self {
+        Self {
+            material,
+            yields: YieldStress::of(&material.strength),
+            damage,
+        }
+    }
 }
 
 impl Solid {
@@ -48,10 +66,12 @@ impl Solid {
         let axisymmetric = self.geometry == Geometry::Axisymmetric;
         let s = &mut self.state;
         let place = &s.position;
+        let layers = self.layers.list().iter();
         let laws = Laws {
-            material: &self.material,
-            yields: YieldStress::of(&self.material.strength),
-            damage: &self.damage,
+            laws: std::iter::once(Law::of(&self.material, &self.damage))
+                .chain(layers.map(|l| Law::of(&l.material, &l.damage)))
+                .collect(),
+            layers: &self.layers,
             removed: &s.removed,
             first: &reference.volume_ratio,
             dt,
@@ -138,7 +158,7 @@ where
                     new[l] = cell;
                 }
             }
-            let found = eight.update::<S>(&mut self.fields, self.laws, &new);
+            let found = eight.update_all::<S>(&mut self.fields, self.laws, &new);
             failed = failed.or(found);
         }
         failed
@@ -243,15 +263,43 @@ impl Eight {
     }
 
     /// Stress, plastic flow and damage of these particles; the first failure.
+    ///
+    /// Each of their materials takes all eight and keeps the results of its own particles: no particle's result depends on
+    /// who stands beside it.
     #[inline(always)]
-    fn update<S: Simd>(
+    fn update_all<S: Simd>(
         &self,
         f: &mut Fields,
         laws: &Laws,
         new: &[[f64; LANES]; 5],
     ) -> Option<(usize, Failure)> {
+        if laws.laws.len() == 1 {
+            return self.update::<S>(f, laws, 0, new);
+        }
+        let mut failed: Option<(usize, Failure)> = None;
+        for layer in 0..laws.laws.len() {
+            if (0..self.count).any(|l| laws.layers.index(self.particle(l)) == layer)
+                && let Some(found) = self.update::<S>(f, laws, layer, new)
+                && failed.as_ref().is_none_or(|(a, _)| found.0 < *a)
+            {
+                failed = Some(found);
+            }
+        }
+        failed
+    }
+
+    /// The same for the particles of one material.
+    #[inline(always)]
+    fn update<S: Simd>(
+        &self,
+        f: &mut Fields,
+        laws: &Laws,
+        layer: usize,
+        new: &[[f64; LANES]; 5],
+    ) -> Option<(usize, Failure)> {
         let one = S::splat(1.0);
-        let elastic = &laws.material.elastic;
+        let law = &laws.laws[layer];
+        let elastic = &law.material.elastic;
         let old = Stretch([
             self.lanes(|i| f.deformation[i][0][0]),
             self.lanes(|i| f.deformation[i][0][1]),
@@ -269,7 +317,7 @@ impl Eight {
         let first = self.lanes(|i| laws.first[self.first + i]);
         let (old_j, j) = (old.volume_ratio(first), next.volume_ratio(first));
         let (strain, spin) = increment(&old, &next);
-        let sound: S = self.lanes(|i| laws.damage.integrity(f.damage[i]));
+        let sound: S = self.lanes(|i| law.damage.integrity(f.damage[i]));
         let stress = [
             self.lanes(|i| f.stress[i].xx),
             self.lanes(|i| f.stress[i].yy),
@@ -290,11 +338,11 @@ impl Eight {
             stress: size,
             plastic_strain: self.lanes(|i| f.plastic_strain[i]),
             last_increment: self.lanes::<S>(|i| f.plastic_strain_rate[i]) * dt,
-            softening: self.softening(f, laws),
+            softening: self.softening(f, law),
             shear_modulus: S::splat(mu) * per_j,
             dt,
         }
-        .solve(laws.yields.as_ref());
+        .solve(law.yields.as_ref());
         let plastic = S::splat(0.0).lt(returned.increment);
         let scale = S::select(plastic, returned.stress / size, one);
         let point = Found {
@@ -312,30 +360,32 @@ impl Eight {
             increment: returned.increment.store(),
             stress: returned.stress.store(),
         };
-        self.keep(f, laws, new, &point, &returned)
+        self.keep(f, laws, layer, new, &point, &returned)
     }
 
     #[inline(always)]
-    fn softening<S: Simd>(&self, f: &Fields, laws: &Laws) -> S {
-        match laws.material.strength.thermal() {
+    fn softening<S: Simd>(&self, f: &Fields, law: &Law) -> S {
+        match law.material.strength.thermal() {
             None => S::splat(1.0),
             Some(t) => self.lanes(|i| t.factor(f.temperature[i])),
         }
     }
 
-    /// Writes the results of all particles that are still in the body.
+    /// Writes the results of all particles of a layer that are still in the body.
     #[inline(always)]
     fn keep<S: Simd>(
         &self,
         f: &mut Fields,
         laws: &Laws,
+        layer: usize,
         new: &[[f64; LANES]; 5],
         point: &Found,
         returned: &Returned<S>,
     ) -> Option<(usize, Failure)> {
+        let law = &laws.laws[layer];
         for (l, i) in (self.start..self.start + self.count).enumerate() {
             let a = self.first + i;
-            if laws.removed[a] != 0.0 {
+            if laws.removed[a] != 0.0 || laws.layers.index(a) != layer {
                 continue;
             }
             let j = point.volume_ratio[l];
@@ -349,14 +399,14 @@ impl Eight {
                 scale: point.scale[l],
             };
             if returned.unsolved >> l & 1 == 1 {
-                match solve_alone(f, laws, i, point.trial[l], j) {
+                match solve_alone(f, law, laws.dt, i, (point.trial[l], j)) {
                     Ok(found) => flow = found,
                     Err(failure) => return Some((a, failure)),
                 }
             }
             f.deformation[i] = [[new[0][l], new[1][l]], [new[2][l], new[3][l]]];
             f.hoop_stretch[i] = new[4][l];
-            point.flow(f, laws, (i, l), flow);
+            point.flow(f, law, (i, l), flow);
         }
         None
     }
@@ -374,16 +424,22 @@ struct Flow {
 
 /// Flow of one particle by the scalar solver.
 #[cold]
-fn solve_alone(f: &Fields, laws: &Laws, i: usize, trial: f64, j: f64) -> Result<Flow, Failure> {
-    let shear_modulus = laws.material.elastic.shear_modulus() / j;
-    let strength = &laws.material.strength;
+fn solve_alone(
+    f: &Fields,
+    law: &Law,
+    dt: f64,
+    i: usize,
+    (trial, j): (f64, f64),
+) -> Result<Flow, Failure> {
+    let shear_modulus = law.material.elastic.shear_modulus() / j;
+    let strength = &law.material.strength;
     let (strain, heat) = (f.plastic_strain[i], f.temperature[i]);
-    let found = radial_return(trial, strain, laws.dt, heat, shear_modulus, strength);
+    let found = radial_return(trial, strain, dt, heat, shear_modulus, strength);
     let found = found.map_err(Failure::Return)?;
     let plastic = found.increment > 0.0;
     Ok(Flow {
         increment: found.increment,
-        rate: found.increment / laws.dt,
+        rate: found.increment / dt,
         von_mises: found.yield_stress,
         scale: if plastic {
             found.yield_stress / trial
@@ -411,7 +467,7 @@ struct Found {
 impl Found {
     /// Books the plastic flow of one particle (index in the task, lane), and its damage.
     #[inline(always)]
-    fn flow(&self, f: &mut Fields, laws: &Laws, (i, l): (usize, usize), flow: Flow) {
+    fn flow(&self, f: &mut Fields, law: &Law, (i, l): (usize, usize), flow: Flow) {
         let (increment, von_mises) = (flow.increment, flow.von_mises);
         let [xx, yy, zz, xy] = self.deviator.map(|d| d[l] * flow.scale);
         let stress = Sym3 {
@@ -423,9 +479,9 @@ impl Found {
         };
         let j = self.volume_ratio[l];
         f.plastic_strain_rate[i] = flow.rate;
-        let sound = laws.damage.integrity(f.damage[i]);
+        let sound = law.damage.integrity(f.damage[i]);
         if increment > 0.0 {
-            f.damage[i] = laws.damage.after(
+            f.damage[i] = law.damage.after(
                 f.damage[i],
                 PlasticStep {
                     increment,
@@ -435,18 +491,18 @@ impl Found {
                 },
             );
             let work = von_mises * increment;
-            let mean = 0.5 * (sound + laws.damage.integrity(f.damage[i]));
+            let mean = 0.5 * (sound + law.damage.integrity(f.damage[i]));
             f.plastic_strain[i] += increment;
             f.plastic_work[i] += mean * work * j;
-            if let Some(t) = laws.material.strength.thermal() {
-                f.temperature[i] += mean * t.heating(work, laws.material.density / j);
+            if let Some(t) = law.material.strength.thermal() {
+                f.temperature[i] += mean * t.heating(work, law.material.density / j);
             }
         }
-        let integrity = laws.damage.integrity(f.damage[i]);
+        let integrity = law.damage.integrity(f.damage[i]);
         f.stress[i] = stress * integrity;
         f.von_mises[i] = von_mises * integrity;
         if integrity != sound {
-            let energy = laws.material.elastic.energy_density(stress * j);
+            let energy = law.material.elastic.energy_density(stress * j);
             f.damage_work[i] += (sound - integrity) * energy;
         }
     }

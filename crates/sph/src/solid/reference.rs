@@ -6,12 +6,12 @@
 
 use super::block::{Block, Reflection, Side};
 use super::images::Image;
+use super::layers::Materials;
 use super::mat2::{Mat2, UNIT, determinant, inverse};
-use super::pairs::{Pair, Pairs, Source, Stabilisers};
+use super::pairs::{Pair, Pairs, Source};
 use super::search::Cloud;
 use super::{Numerics, SolidError};
 use crate::geometry::{Geometry, Vec2};
-use erode_physics::material_point::Material;
 
 /// Particles no deeper than this many spacings under a face are its first row.
 pub(super) const FIRST_ROW: f64 = 0.75;
@@ -85,7 +85,7 @@ impl Layout {
     /// The first configuration.
     pub(super) fn first(
         geometry: Geometry,
-        material: &Material,
+        materials: Materials,
         numerics: &Numerics,
         position: Vec<Vec2>,
         area: Vec<f64>,
@@ -95,7 +95,9 @@ impl Layout {
         let h = area.iter().map(|a| numerics.smoothing_ratio * a.sqrt());
         let h: Vec<f64> = h.collect();
         Self {
-            mass: volume.map(|v| v * material.density).collect(),
+            mass: (volume.enumerate())
+                .map(|(a, v)| v * materials.of(a).density)
+                .collect(),
             renewals: 0,
             volume_ratio: vec![1.0; position.len()],
             first_area: area.clone(),
@@ -112,7 +114,7 @@ impl Reference {
     pub(super) fn new(
         geometry: Geometry,
         block: &Block,
-        material: &Material,
+        materials: Materials,
         numerics: &Numerics,
         layout: Layout,
     ) -> Result<Self, SolidError> {
@@ -125,11 +127,11 @@ impl Reference {
                 .iter()
                 .map(|x| if axisymmetric { x[0] } else { 1.0 })
                 .collect(),
-            volume: layout.mass.iter().map(|m| m / material.density).collect(),
-            density: layout
-                .volume_ratio
-                .iter()
-                .map(|j| material.density / j)
+            volume: (layout.mass.iter().enumerate())
+                .map(|(a, m)| m / materials.of(a).density)
+                .collect(),
+            density: (layout.volume_ratio.iter().enumerate())
+                .map(|(a, j)| materials.of(a).density / j)
                 .collect(),
             mass: layout.mass,
             volume_ratio: layout.volume_ratio,
@@ -154,13 +156,8 @@ impl Reference {
         for (a, list) in lists.iter().enumerate() {
             reference.add_open_pairs(a, list, &cloud, unit);
         }
-        let stabilisers = Stabilisers {
-            viscosity: numerics.viscosity,
-            speed: material.elastic.longitudinal_speed(material.density),
-            stiffness: numerics.hourglass * material.elastic.young_modulus / material.density,
-        };
-        reference.pairs = Pairs::new(&cloud, &lists, stabilisers, |b| {
-            reference.source_of_pairs(block, numerics, b)
+        reference.pairs = Pairs::new(&cloud, &lists, numerics.viscosity, |b| {
+            reference.source_of_pairs(block, numerics, materials, b)
         });
         reference.mirror_images = cloud.mirror_images;
         reference.open_images = cloud.open_images;
@@ -257,11 +254,21 @@ impl Reference {
     }
 
     /// What the pairs of a particle depend on.
-    fn source_of_pairs(&self, block: &Block, numerics: &Numerics, b: usize) -> Source {
+    fn source_of_pairs(
+        &self,
+        block: &Block,
+        numerics: &Numerics,
+        materials: Materials,
+        b: usize,
+    ) -> Source {
+        let (material, density) = (materials.of(b), self.density[b]);
+        let elastic = &material.elastic;
+        let per_density = density / material.density;
         Source {
             area: if self.forgotten[b] { 0.0 } else { self.area[b] },
             weight: self.weight[b],
-            density: self.density[b],
+            impedance: density * elastic.longitudinal_speed(material.density),
+            stiffness: numerics.hourglass * elastic.young_modulus * per_density,
             edge: if self.in_first_row(block, b) {
                 numerics.edge_viscosity
             } else {

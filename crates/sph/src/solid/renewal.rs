@@ -14,6 +14,7 @@
 //! Range: where F of the total Lagrangian form still follows the particles the renewal is not needed and smooths; it pays
 //! when neighbours slide past each other. It does not undo anisotropy: cost grows with the stretch (h).
 
+use super::layers::Materials;
 use super::mat2::{Mat2, UNIT, determinant, largest_stretch, product, smallest_stretch};
 use super::reference::{Layout, Reference};
 use super::{Face, Formulation, Side, Solid, SolidError, force};
@@ -88,10 +89,14 @@ impl Solid {
             && base.renewals != self.reference.renewals
         {
             let layout = Layout::renewed(base, &self.reference, &self.state.removed);
+            let materials = Materials {
+                own: &self.material,
+                layers: &self.layers,
+            };
             self.reference = Reference::new(
                 self.geometry,
                 &self.block,
-                &self.material,
+                materials,
                 &self.numerics,
                 layout,
             )?;

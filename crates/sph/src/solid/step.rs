@@ -19,7 +19,7 @@ pub struct StepLimit {
 }
 
 impl Solid {
-    /// Courant number x spacing / longitudinal wave speed of the first configuration.
+    /// Courant number x spacing / longitudinal wave speed of the material in the first configuration, the smallest.
     ///
     /// Waves cross a compressed spacing sooner: beyond [`ROOM`] the spacing counts as compressed by the smallest stretch
     /// in the plane. Removed particles do not count.
@@ -30,17 +30,25 @@ impl Solid {
             let stretch = smallest_stretch(&self.total_deformation(a)) / ROOM;
             self.reference.first_area[a].sqrt() * stretch.min(1.0)
         };
-        let (particle, smallest) = (0..self.len())
+        let speed: Vec<f64> = self.wave_speeds().collect();
+        let step = |a: usize| self.numerics.courant * spacing(a) / speed[self.layers.index(a)];
+        // The first of the smallest, whatever is compared first.
+        let smaller = |p: (usize, f64), q: (usize, f64)| {
+            if q.1.total_cmp(&p.1).then(q.0.cmp(&p.0)).is_lt() {
+                q
+            } else {
+                p
+            }
+        };
+        let (particle, dt) = (0..self.len())
+            .into_par_iter()
+            .with_min_len(1024)
             .filter(|&a| s.removed[a] == 0.0)
-            .map(|a| (a, spacing(a)))
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .unwrap_or((0, spacing(0)));
-        let speed = self
-            .material
-            .elastic
-            .longitudinal_speed(self.material.density);
+            .map(|a| (a, step(a)))
+            .reduce_with(smaller)
+            .unwrap_or_else(|| (0, step(0)));
         StepLimit {
-            dt: self.numerics.courant * smallest / speed,
+            dt,
             particle,
             reason: "longitudinal wave in the solid",
         }

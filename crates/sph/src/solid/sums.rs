@@ -26,7 +26,7 @@ pub(super) struct Moving {
 }
 
 /// Sums of the accelerations of a cluster: force of the stress sum_b A_b (R_a P_a L_a + R_b P_b L_b) grad W, then viscous and
-/// hourglass acceleration without their constants.
+/// hourglass acceleration times two densities.
 pub(super) type Forces = [[f64; LANES]; 6];
 
 /// sum A_b (f_b - f_a) (x) grad W, without correction, of a field known at particles and mirror images.
@@ -100,7 +100,7 @@ fn gradient<S: Simd>(pairs: &Pairs, field: &[Vec2], cluster: usize) -> [S; 4] {
 fn offset_and_gradient<S: Simd>(place: [S; 2], entry: &Entry) -> (([S; 2], S), [S; 2]) {
     let x = minus(place, entry.fixed.position);
     let square = x[0].mul_add(x[0], x[1] * x[1]);
-    let cubed = S::load_single(entry.gradient) * S::splat(entry.fixed.area[0]);
+    let cubed = S::load_single(entry.gradient) * S::splat(entry.fixed.area);
     let factor = cubed * square;
     ((x, cubed), [factor * x[0], factor * x[1]])
 }
@@ -132,8 +132,10 @@ struct Own<S> {
     flux: [S; 4],
     half_length: S,
     edge: S,
-    /// 1/R and 1/density.
-    inverse: [S; 2],
+    impedance: S,
+    stiffness: S,
+    /// 1/R.
+    inverse_weight: S,
 }
 
 impl<S: Simd> Own<S> {
@@ -154,19 +156,20 @@ impl<S: Simd> Own<S> {
             flux: matrix(pairs, cluster, |a| &moving[a].flux),
             half_length: pairs.lanes(cluster, |a| fixed[a].half_length),
             edge: pairs.lanes(cluster, |a| fixed[a].edge),
-            inverse: [
-                S::splat(1.0) / pairs.lanes(cluster, |a| fixed[a].weight),
-                S::splat(1.0) / pairs.lanes(cluster, |a| fixed[a].density),
-            ],
+            impedance: pairs.lanes(cluster, |a| fixed[a].impedance),
+            stiffness: pairs.lanes(cluster, |a| fixed[a].stiffness),
+            inverse_weight: S::splat(1.0) / pairs.lanes(cluster, |a| fixed[a].weight),
         }
     }
 
-    /// (1 + R_b/R_a) (1 + rho_b/rho_a): four times the weight of the stabilisers.
+    /// (1 + R_b/R_a) min(Z_a, Z_b) and the same of the stiffness: twice the weights of the stabilisers.
     #[inline(always)]
-    fn mean(&self, entry: &Entry) -> S {
-        let one = S::splat(1.0);
-        let by_ring = S::splat(entry.fixed.weight).mul_add(self.inverse[0], one);
-        by_ring * S::splat(entry.fixed.density).mul_add(self.inverse[1], one)
+    fn weights(&self, entry: &Entry) -> (S, S) {
+        let by_ring = S::splat(entry.fixed.weight).mul_add(self.inverse_weight, S::splat(1.0));
+        (
+            by_ring * self.impedance.min(S::splat(entry.fixed.impedance)),
+            by_ring * self.stiffness.min(S::splat(entry.fixed.stiffness)),
+        )
     }
 }
 
@@ -218,7 +221,7 @@ fn store<S: Simd, const N: usize>(lanes: [S; N]) -> [[f64; LANES]; N] {
 #[inline(always)]
 fn force<S: Simd>(pairs: &Pairs, moving: &[Moving], cluster: usize) -> [S; 6] {
     let own = Own::<S>::new(pairs, moving, cluster);
-    let viscosity = S::splat(pairs.stabilisers.viscosity);
+    let viscosity = S::splat(pairs.viscosity);
     let zero = S::splat(0.0);
     let (mut stress, mut viscous, mut hourglass) = ([zero; 2], [zero; 2], [zero; 2]);
     for entry in pairs.entries(cluster) {
@@ -226,13 +229,13 @@ fn force<S: Simd>(pairs: &Pairs, moving: &[Moving], cluster: usize) -> [S; 6] {
         let ((x, cubed), gw) = offset_and_gradient(own.place, &entry);
         let d = minus(own.position, other.position);
         let v = minus(own.velocity, other.velocity);
-        let mean = own.mean(&entry);
+        let (impedance, stiffness) = own.weights(&entry);
         let along = v[0].mul_add(d[0], v[1] * d[1]);
         let edge = own.edge.max(S::splat(entry.fixed.edge));
         let alpha = S::select(along.lt(zero), edge.max(viscosity), edge);
         let length = own.half_length + S::splat(entry.fixed.half_length);
-        let approach = alpha * length * (cubed * mean) * along;
-        let stiffness = S::load_single(entry.value) * S::splat(entry.fixed.area[1]) * mean;
+        let approach = alpha * length * (cubed * impedance) * along;
+        let stiffness = S::load_single(entry.value) * S::splat(entry.fixed.area) * stiffness;
         for i in 0..2 {
             let q = plus(&own.flux, i, &other.flux);
             let f = plus(&own.half_deformation, i, &other.half_deformation);

@@ -9,5 +9,6 @@ mod equilibrium;
 mod faces;
 mod kinematics;
 mod large_strain;
+mod layers;
 mod ledger;
 mod updated;

@@ -201,7 +201,9 @@ pub enum Refusal {
         region: String,
     },
     /// It is complete, but of another form.
-    #[error("it has checkpoint schema {found}, and this program reads schema {SCHEMA}")]
+    #[error(
+        "it has checkpoint schema {found}, and this program reads schema {SCHEMA}: only the version of Erode that wrote it can go on with it"
+    )]
     OtherSchema {
         /// The schema of the file.
         found: u32,

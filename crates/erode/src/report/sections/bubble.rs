@@ -67,7 +67,13 @@ pub(crate) fn write(page: &mut Page, data: &RunData, instants: &Instants) {
 }
 
 /// Column, axis label, unit and caption of curves that are shown where they were recorded.
-const MORE: [(&str, &str, &str, &str); 2] = [
+const MORE: [(&str, &str, &str, &str); 3] = [
+    (
+        "gas_pressure",
+        "pressure of the gas",
+        "Pa",
+        "Pressure of the gas in the largest piece of the bubble.",
+    ),
     (
         "jet_speed",
         "speed towards the wall",

@@ -10,6 +10,18 @@ use crate::report::snapshot::{Body, read_frames};
 use crate::report::view::strained_view;
 use std::path::Path;
 
+/// What the last snapshot of a run shows.
+pub(crate) enum End {
+    /// A solid with plastic strain.
+    Strained(EndState),
+    /// A solid that stayed elastic.
+    Elastic,
+    /// No solid, or no snapshot.
+    NoSolid,
+    /// Nothing that could be read, and why.
+    Unreadable(String),
+}
+
 /// The solids of a run in its last snapshot.
 pub(crate) struct EndState {
     solids: Vec<Body>,
@@ -17,16 +29,33 @@ pub(crate) struct EndState {
     pub(crate) largest: f64,
 }
 
-impl EndState {
-    /// Of a run folder; none without a snapshot that shows a strained solid.
-    pub(crate) fn read(run_dir: &Path) -> Option<Self> {
-        let frames = read_frames(&RunPaths::new(run_dir)).ok()?;
-        let (bodies, _) = frames.last()?.read();
+impl End {
+    /// Of a run folder.
+    pub(crate) fn read(run_dir: &Path) -> Self {
+        let frames = match read_frames(&RunPaths::new(run_dir)) {
+            Ok(frames) => frames,
+            Err(trouble) => return Self::Unreadable(trouble),
+        };
+        let Some(last) = frames.last() else {
+            return Self::NoSolid;
+        };
+        let (bodies, troubles) = last.read();
         let solids: Vec<Body> = bodies.into_iter().filter(Body::is_solid).collect();
         let largest = largest_strain(&solids);
-        (largest > 0.0).then_some(Self { solids, largest })
+        // A body that cannot be read may be the one that yielded.
+        if largest > 0.0 {
+            Self::Strained(EndState { solids, largest })
+        } else if !troubles.is_empty() {
+            Self::Unreadable(troubles.join(" "))
+        } else if solids.is_empty() {
+            Self::NoSolid
+        } else {
+            Self::Elastic
+        }
     }
+}
 
+impl EndState {
     /// The region that yielded.
     pub(crate) fn view(&self) -> Option<View> {
         strained_view(&self.solids, self.largest)

@@ -37,7 +37,7 @@ fn rising(runs: &[Ran], name: &str, words: &str, statement: &str) -> Vec<Check> 
         let quantity = format!("{words}: {} MPa / {} MPa", PRESSURES[high], PRESSURES[low]);
         exceeds(
             &quantity,
-            (runs[high].get(name), runs[low].get(name)),
+            (runs[high].of_yielded(name), runs[low].of_yielded(name)),
             statement,
         )
     };
@@ -52,7 +52,7 @@ pub(super) fn strain_of_pressure(session: &Session) -> Result<Judged, Failure> {
         ("driving pressure", "Pa"),
         ("plastic strain", "-"),
     );
-    let words = "\"for detached as well as attached cavities, the maximum plastic strain increases with driving pressure\"";
+    let words = "\"For detached as well as attached cavities, the maximum plastic strain increases with increase in driving pressure\"";
     for (standoff, name) in PAIR {
         let runs = over_pressure(session, standoff)?;
         let quantity = format!("largest strain, {name}");
@@ -80,7 +80,7 @@ fn curve(runs: &[Ran], name: &str) -> Vec<[f64; 2]> {
 pub(super) fn energy_of_pressure(session: &Session) -> Result<Judged, Failure> {
     let [detached, attached] = [PAIR[0].0, PAIR[1].0].map(|s| over_pressure(session, s));
     let (detached, attached) = (detached?, attached?);
-    let words = "\"a higher driving pressure leads to a higher absorbed energy density and a higher total absorbed energy\"";
+    let words = "\"a higher driving pressure leads to a higher absorbed energy density and therefore a higher total absorbed energy\"";
     let (energy, density) = ("plastic_work", "absorbed_energy_density");
     let mut checks = Vec::new();
     for (runs, name) in [(&detached, "detached"), (&attached, "attached")] {
@@ -102,17 +102,18 @@ pub(super) fn energy_of_pressure(session: &Session) -> Result<Judged, Failure> {
         let (d, a) = (&detached[k], &attached[k]);
         checks.push(exceeds(
             &format!("energy density at {p} MPa, attached / detached"),
-            (a.get(density), d.get(density)),
-            "\"the absorbed energy density is higher for attached cavity for all driving pressures\"",
+            (a.of_yielded(density), d.of_yielded(density)),
+            "\"The absorbed energy density is higher for attached cavity for all driving pressures\"",
         ));
         checks.push(exceeds(
             &format!("absorbed energy at {p} MPa, detached / attached"),
-            (d.get(energy), a.get(energy)),
+            (d.of_yielded(energy), a.of_yielded(energy)),
             "\"a higher total absorbed energy compared to an attached cavity\"",
         ));
-        share.push(d.get(energy) - a.get(energy));
+        share.push(d.of_yielded(energy) - a.of_yielded(energy));
     }
-    let words = "\"the difference seems to be more prominent as the driving pressure increases\"";
+    let words = "\"The difference in total absorbed energy and hence erosion rate for detached and attached cavity seems to be more prominent as the \
+                 driving pressure increases\"";
     for (high, low) in [(1, 0), (2, 1)] {
         let quantity = format!(
             "difference of the energies, {} MPa / {} MPa",

@@ -2,7 +2,7 @@
 
 use super::super::Options;
 use super::super::session::{Judged, Need, Ran, Session};
-use super::near_wall::{Collapse, at, exceeds, note};
+use super::near_wall::{Collapse, at, exceeds, largest, mean, note, smallest};
 use crate::analysis::power_law;
 use crate::validate::{Check, Failure, Figure, Finding, Style};
 use std::f64::consts::PI;
@@ -26,17 +26,19 @@ fn over_size(session: &Session) -> Result<Vec<Ran>, Failure> {
 
 /// (largest - smallest) / mean.
 fn spread(values: &[f64]) -> f64 {
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let [low, high] = values
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| {
-            [l.min(*v), h.max(*v)]
-        });
-    (high - low) / mean
+    (largest(values) - smallest(values)) / mean(values)
 }
 
+/// Exponent of the power law through all points; not a number where one of them is not positive.
+fn exponent(points: &[[f64; 2]]) -> f64 {
+    let all = points.iter().all(|p| p[1] > 0.0);
+    let law = power_law(points).filter(|_| all);
+    law.map_or(f64::NAN, |law| law[0])
+}
+
+/// Not a number where the metal did not yield: all statements compare.
 fn all(runs: &[Ran], name: &str) -> Vec<f64> {
-    runs.iter().map(|r| r.get(name)).collect()
+    runs.iter().map(|r| r.of_yielded(name)).collect()
 }
 
 /// How far values may spread that are "almost the same": the text gives no number.
@@ -64,7 +66,7 @@ pub(super) fn strain_of_size(session: &Session) -> Result<Judged, Failure> {
         let metal = run.metal()?;
         let close = metal.position.iter().zip(&metal.plastic_strain);
         let close = close.filter(|(x, _)| x[0] < 1.5 * metal.spacing);
-        near.push(close.map(|(_, e)| *e).fold(0.0, f64::max));
+        near.push(largest(&close.map(|(_, e)| *e).collect::<Vec<f64>>()));
     }
     let mut checks = vec![Check::absolute(
         "largest strain: (largest - smallest) / mean over the radii",
@@ -103,7 +105,7 @@ pub(super) fn energy_of_size(session: &Session) -> Result<Judged, Failure> {
     let energy = all(&runs, "plastic_work");
     let density = all(&runs, "absorbed_energy_density");
     let points: Vec<[f64; 2]> = RADII.iter().zip(&energy).map(|(r, e)| [*r, *e]).collect();
-    let exponent = power_law(&points).map_or(f64::NAN, |p| p[0]);
+    let exponent = exponent(&points);
     let words =
         "\"the total absorbed energy increases significantly with increasing bubble radius\"";
     let mut checks = vec![Check::absolute(
@@ -140,7 +142,7 @@ pub(super) fn volume_of_size(session: &Session) -> Result<Judged, Failure> {
     let volume = all(&runs, "plastic_volume");
     let bubble = RADII.map(|r| 4.0 / 3.0 * PI * (r * 1e-3).powi(3));
     let points: Vec<[f64; 2]> = bubble.iter().zip(&volume).map(|(b, v)| [*b, *v]).collect();
-    let exponent = power_law(&points).map_or(f64::NAN, |p| p[0]);
+    let exponent = exponent(&points);
     let mut figure = Figure::new(
         "volume",
         "Plastic volume",
@@ -161,4 +163,21 @@ pub(super) fn volume_of_size(session: &Session) -> Result<Judged, Failure> {
         notes: vec![note(session)],
     }
     .into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_through_what_is_left_is_no_law() {
+        let points =
+            |y: [f64; 3]| -> Vec<[f64; 2]> { RADII.iter().zip(y).map(|(r, y)| [*r, y]).collect() };
+        let cubes = RADII.map(|r| 5.0 * r.powi(3));
+        assert!((exponent(&points(cubes)) - 3.0).abs() < 1e-12);
+        assert!(exponent(&points([cubes[0], f64::NAN, cubes[2]])).is_nan());
+        assert!(exponent(&points([0.0, cubes[1], cubes[2]])).is_nan());
+        assert!(spread(&[1.0, f64::NAN]).is_nan() && spread(&[0.0, 0.0]).is_nan());
+        assert!((spread(&[1.0, 2.0, 3.0]) - 1.0).abs() < 1e-15);
+    }
 }

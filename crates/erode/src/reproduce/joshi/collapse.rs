@@ -3,6 +3,7 @@
 use super::super::Options;
 use super::super::session::{Judged, Need, Session};
 use super::near_wall::resolution;
+use crate::analysis::crossing;
 use crate::report::{collapse_curve, collapse_time};
 use crate::sweep::Setting;
 use crate::validate::{Check, Failure, Figure, Finding, Style};
@@ -16,10 +17,10 @@ const CASE: (&str, &str) = (
 const RADIUS: f64 = 0.095e-3;
 const PRESSURE: f64 = 60e6;
 const DENSITY: f64 = 1000.0;
-/// Radii at which times are compared, R/R0: the first ones shown, the last ones judged.
-const COMPARED: [f64; 4] = [0.9, 0.8, 0.6, 0.3];
-/// Radius from which on times are judged, R/R0.
-const JUDGED: f64 = 0.6;
+/// Radii at which times are compared, R/R0: below, the bubble of Rayleigh has no bound to its speed.
+const COMPARED: [f64; 4] = [0.9, 0.8, 0.6, 0.4];
+/// Largest delay, in collapse times.
+const TOLERANCE: f64 = 0.05;
 
 fn need(options: &Options) -> Need {
     let n = resolution(options);
@@ -52,16 +53,11 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
     let exact = collapse_curve(RADIUS, PRESSURE, DENSITY, 400);
     let whole = collapse_time(RADIUS, PRESSURE, DENSITY);
     let start = ours.first().map_or(f64::NAN, |p| p[1]);
+    let words = "\"good agreement\" with the analytical solution: no number is given, 5 % of the collapse time is taken";
     let checks = COMPARED.iter().map(|share| {
         let quantity = format!("delay at R = {share} R0, in collapse times");
         let delay = (time_at(&ours, share * start) - time_at(&exact, share * RADIUS)) / whole;
-        if *share <= JUDGED {
-            let words = "\"good agreement\" without a number: 10 %, as a compressible liquid alone is 7 % ahead at the end";
-            Check::absolute(quantity, "-", (delay, 0.0), 0.1, words)
-        } else {
-            let words = "pressure released at once moves a compressible liquid at once: 13 % ahead at 0.94 R0";
-            Check::shown(quantity, "-", delay, None, words)
-        }
+        Check::absolute(quantity, "-", (delay, 0.0), TOLERANCE, words)
     });
     let mut figure = Figure::new(
         "radius",
@@ -76,8 +72,9 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
         figures: vec![figure],
         notes: vec![
             super::near_wall::note(session),
-            "60 MPa everywhere from the start, where the thesis lets a wave arrive; Rayleigh's liquid is not compressible. The validation \
-             rayleigh-collapse compares with a compressible solution."
+            "60 MPa everywhere from the start, where the thesis lets a wave arrive; Rayleigh's liquid is not compressible. This program is ahead of \
+             it, most at the beginning: in a compressible liquid the wall of the bubble moves at once with p/(rho c), in his it begins at rest. \
+             The validation rayleigh-collapse compares with a compressible solution."
                 .into(),
         ],
     }
@@ -89,8 +86,5 @@ fn time_at(curve: &[[f64; 2]], radius: f64) -> f64 {
     let pair = curve
         .windows(2)
         .find(|p| p[0][1] > radius && p[1][1] <= radius);
-    pair.map_or(f64::NAN, |p| {
-        let part = (p[0][1] - radius) / (p[0][1] - p[1][1]);
-        p[0][0] + part * (p[1][0] - p[0][0])
-    })
+    pair.map_or(f64::NAN, |p| crossing(p[0], p[1], radius))
 }

@@ -57,11 +57,15 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
             .collect();
         let known: Vec<[f64; 2]> = points.into_iter().filter(|p| p[1].is_finite()).collect();
         let Some(finest) = known.first().map(|p| p[1]) else {
+            let words = "not known at any resolution";
+            let check = Check::shown(name.replace('_', " "), "-", f64::NAN, None, words);
+            finding.checks.push(check);
             continue;
         };
         let relative = known.iter().map(|p| [p[0], p[1] / finest]);
         figure.add(&name.replace('_', " "), Style::Line, relative.collect());
-        finding.checks.push(row(name, &known));
+        let unit = runs.last().map_or("-", |run| run.unit(name));
+        finding.checks.push(row(name, unit, &known));
     }
     finding.figures.push(figure);
     finding.notes.push(
@@ -73,7 +77,7 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
 }
 
 /// The finest value with its order and error bar.
-fn row(name: &str, known: &[[f64; 2]]) -> Check {
+fn row(name: &str, unit: &str, known: &[[f64; 2]]) -> Check {
     let three = <[[f64; 2]; 3]>::try_from(&known[..known.len().min(3)]).ok();
     let found = three.and_then(extrapolate);
     let words = found.map_or(
@@ -85,7 +89,7 @@ fn row(name: &str, known: &[[f64; 2]]) -> Check {
             "{}; reference: extrapolated to spacing zero",
             name.replace('_', " ")
         ),
-        "-",
+        unit,
         known[0][1],
         found.map(|f| f.value),
         &words,

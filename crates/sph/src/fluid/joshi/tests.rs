@@ -1,6 +1,7 @@
 use super::*;
 use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::{Formulation, Start};
+use crate::geometry::Vec2;
 use crate::phases::Phases;
 use erode_physics::eos::Tait;
 

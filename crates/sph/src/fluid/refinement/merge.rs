@@ -5,6 +5,7 @@
 //! stays. (Small ones that are left alone keep the time step small.)
 
 use super::particles::Piece;
+use super::target::Wanted;
 use crate::fluid::Fluid;
 use crate::neighbours::Neighbours;
 
@@ -14,9 +15,9 @@ const MERGE: f64 = 0.75;
 
 impl Fluid {
     /// Merges pairs that are small for the `wanted` spacing (m); returns how many. Each particle is merged at most once.
-    pub(super) fn merge(&mut self, wanted: &mut Vec<f64>) -> u64 {
+    pub(super) fn merge(&mut self, wanted: &mut Vec<Wanted>) -> u64 {
         let small = |a: &usize| {
-            self.origin[*a].level > 0 && 2.0 * self.area(*a) < (MERGE * wanted[*a]).powi(2)
+            self.origin[*a].level > 0 && 2.0 * self.area(*a) < (MERGE * wanted[*a].spacing).powi(2)
         };
         let candidates: Vec<usize> = (0..self.len()).filter(small).collect();
         if candidates.len() < 2 {
@@ -39,7 +40,7 @@ impl Fluid {
             let free = near.of(i).iter().map(|j| *j as usize).filter(|&j| {
                 let b = candidates[j];
                 let joint = self.area(a) + self.area(b);
-                !taken[j] && joint < (MERGE * wanted[a].min(wanted[b])).powi(2)
+                !taken[j] && joint < (MERGE * wanted[a].spacing.min(wanted[b].spacing)).powi(2)
             });
             let square = |j: &usize| {
                 let (p, q) = (position[i], position[*j]);

@@ -80,6 +80,5 @@ impl Fluid {
             strain_rate
         );
         retain!(far_field, side_depth, origin);
-        self.sweep.retain_kinematics(keep);
     }
 }

@@ -6,6 +6,7 @@
 //! gradient of the density is that of the pressure, grad p = -rho a, over c^2.
 
 use super::particles::Piece;
+use super::target::Wanted;
 use crate::fluid::Fluid;
 use crate::geometry::{Geometry, Vec2};
 
@@ -20,31 +21,23 @@ const OFFSET: f64 = 0.28;
 /// Liquid is at rest when its stretch over a particle is slower than this share of the speed of sound.
 const AT_REST: f64 = 1e-4;
 
-/// Below this eigenvalue of the moment matrix a particle is a fragment, and its velocity gradient is worth nothing: both
-/// halves move as the whole.
-const FRAGMENT: f64 = 0.35;
-
 impl Fluid {
     /// Halves the particles that are too large for the `wanted` spacing (m); returns how many.
-    pub(super) fn split(&mut self, wanted: &[f64]) -> u64 {
+    pub(super) fn split(&mut self, wanted: &[Wanted]) -> u64 {
         let mut count = 0;
         for (a, wanted) in wanted.iter().enumerate().take(self.len()) {
-            let too_large = self.area(a).sqrt() > SPLIT * wanted;
+            let too_large = self.area(a).sqrt() > SPLIT * wanted.spacing;
             if too_large && !self.far_field[a].is_some() {
-                self.halve(a);
+                self.halve(a, &wanted.gradient);
                 count += 1;
             }
         }
         count
     }
 
-    fn halve(&mut self, a: usize) {
-        let gradient = match self.sweep.kinematics.get(a) {
-            Some(k) if k.support > FRAGMENT => k.gradient,
-            _ => [[0.0; 2]; 2],
-        };
-        let places = self.places_of_halves(a, self.direction(a, &gradient));
-        let pieces = self.halves(a, places, &gradient);
+    fn halve(&mut self, a: usize, gradient: &[Vec2; 2]) {
+        let places = self.places_of_halves(a, self.direction(a, gradient));
+        let pieces = self.halves(a, places, gradient);
         self.origin[a].level += 1;
         let b = self.duplicate(a);
         self.reshape(a, &pieces[0]);

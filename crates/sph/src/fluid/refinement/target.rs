@@ -1,10 +1,22 @@
-//! The spacing that is wanted at a particle.
+//! The spacing that is wanted at a particle, and how the liquid moves there.
 
 use super::Refinement;
 use crate::cavity::Front;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::Vec2;
 use rayon::prelude::*;
+
+/// Below this eigenvalue of the moment matrix a particle is a fragment, and its velocity gradient is worth nothing: both
+/// halves move as the whole.
+const FRAGMENT: f64 = 0.35;
+
+/// What halving and merging know of a particle.
+pub(super) struct Wanted {
+    /// Spacing, m; infinite without a cavity.
+    pub(super) spacing: f64,
+    /// Velocity gradient of the last step, 1/s; zero for fragments and before the first step.
+    pub(super) gradient: [Vec2; 2],
+}
 
 /// A cavity with a box around it.
 struct Cavity<'a> {
@@ -21,9 +33,8 @@ impl Cavity<'_> {
     }
 }
 
-/// For every particle, m; infinite without a cavity. Where a particle of the start is fine enough for a lower bound, the
-/// bound is given.
-pub(super) fn spacings(fluid: &Fluid, refinement: &Refinement, fronts: &[Front]) -> Vec<f64> {
+/// For every particle. Where a particle of the start is fine enough for a lower bound of the spacing, the bound is given.
+pub(super) fn wanted(fluid: &Fluid, refinement: &Refinement, fronts: &[Front]) -> Vec<Wanted> {
     let followed = fronts.iter().filter(|f| f.radius >= refinement.smallest);
     let cavities: Vec<Cavity> = followed
         .map(|front| Cavity {
@@ -42,11 +53,23 @@ pub(super) fn spacings(fluid: &Fluid, refinement: &Refinement, fronts: &[Front])
         .map(|a| {
             let x = fluid.position[a];
             let bound = least(&|c| c.least_distance(x));
-            if fluid.origin[a].level == 0 && fluid.area(a) <= bound * bound {
+            let fine = fluid.origin[a].level == 0 && fluid.area(a) <= bound * bound;
+            let spacing = if fine {
                 bound
             } else {
                 least(&|c| c.front.distance(x))
-            }
+            };
+            let gradient = gradient(fluid, a);
+            Wanted { spacing, gradient }
         })
         .collect()
+}
+
+fn gradient(fluid: &Fluid, a: usize) -> [Vec2; 2] {
+    let sweep = &fluid.sweep;
+    // The places are those of the last step unless particles came or went since.
+    if sweep.places.len() != fluid.len() || fluid.support[a] <= FRAGMENT {
+        return [[0.0; 2]; 2];
+    }
+    sweep.kinematics(a).gradient
 }

@@ -1,0 +1,225 @@
+//! One bubble with gas, by particles and by a law of spherical bubbles.
+
+use crate::validate::Failure;
+use crate::validate::materials::water;
+use erode_physics::bubble::{self, BubbleModel, BubbleState, Constant, Controls, Liquid, advance};
+use erode_sph::Geometry;
+use erode_sph::fluid::corrected::Settings;
+use erode_sph::fluid::far_field::FarField;
+use erode_sph::fluid::gas::{Gas, GasLaw};
+use erode_sph::fluid::ghosts::{Ghosts, Plane};
+use erode_sph::fluid::{Fluid, Formulation, Start};
+use erode_sph::packing::{Options, Spacing, pack};
+use erode_sph::shapes::{Region, Shape};
+use erode_sph::world::{Body, Named, World};
+
+/// Radius at the start, m.
+pub(super) const R0: f64 = 1e-4;
+/// Density of water at zero pressure, kg/m3.
+pub(super) const DENSITY: f64 = 1000.0;
+/// Adiabatic gas.
+const EXPONENT: f64 = 1.4;
+/// The finest spacing reaches to this distance, R0.
+const CORE: f64 = 1.4;
+/// Points of a curve of the theory.
+const POINTS: u32 = 4000;
+
+/// What is computed.
+#[derive(Clone, Copy)]
+pub(super) struct Setting {
+    pub(super) name: &'static str,
+    /// Of the water, Pa.
+    pub(super) pressure: f64,
+    /// Of the gas at the start, Pa.
+    pub(super) gas_pressure: f64,
+    /// Half of the domain, R0.
+    pub(super) extent: f64,
+    /// Time simulated, in collapse times 0.915 R0 sqrt(rho/p).
+    pub(super) end: f64,
+}
+
+/// Radius against time, and what was counted.
+pub(super) struct Swing {
+    /// Time (s) and R/R0.
+    pub(super) curve: Vec<[f64; 2]>,
+    /// Defect of the ledger at the same times, p V0.
+    defects: Vec<f64>,
+    pub(super) closed: u64,
+}
+
+impl Swing {
+    /// Largest defect until a time, p V0.
+    pub(super) fn defect(&self, until: f64) -> f64 {
+        let all = self.curve.iter().zip(&self.defects);
+        let all = all.filter(|(p, _)| p[0] <= until);
+        all.map(|(_, d)| d.abs()).fold(0.0, f64::max)
+    }
+}
+
+/// The first two extremes of a swing that loses energy, time (s) and R/R0 each.
+pub(super) struct Extremes {
+    pub(super) first: [f64; 2],
+    pub(super) second: [f64; 2],
+}
+
+impl Extremes {
+    /// Smallest radius and the largest after it.
+    pub(super) fn of_collapse(curve: &[[f64; 2]]) -> Result<Self, Failure> {
+        Self::find(curve, 1.0)
+    }
+
+    /// Largest radius and the smallest after it.
+    pub(super) fn of_growth(curve: &[[f64; 2]]) -> Result<Self, Failure> {
+        Self::find(curve, -1.0)
+    }
+
+    fn find(curve: &[[f64; 2]], sign: f64) -> Result<Self, Failure> {
+        let at = |curve: &[[f64; 2]], sign: f64| {
+            let all = curve.iter().enumerate();
+            let least = all.min_by(|a, b| (sign * a.1[1]).total_cmp(&(sign * b.1[1])));
+            let none = || Failure::Absent("the radius has no extremes".into());
+            least.map(|(k, p)| (k, *p)).ok_or_else(none)
+        };
+        let (first, smallest) = at(curve, sign)?;
+        let (_, largest) = at(&curve[first..], -sign)?;
+        Ok(Self {
+            first: smallest,
+            second: largest,
+        })
+    }
+}
+
+impl Setting {
+    fn end_time(&self) -> f64 {
+        self.end * 0.915 * R0 * (DENSITY / self.pressure).sqrt()
+    }
+
+    /// The radius by a law. A compressible liquid moves at once when its surface is let go, with the speed dp/(rho c) of a plane
+    /// wave; the laws follow from then on. (From rest they are late by R0/c.)
+    pub(super) fn theory(&self, law: &dyn BubbleModel) -> Result<Swing, Failure> {
+        let eos = water()?;
+        let liquid = Liquid {
+            density: eos.density(self.pressure),
+            sound_speed: eos.sound_speed_at(eos.density(self.pressure)),
+            viscosity: 0.0,
+            surface_tension: 0.0,
+            vapour_pressure: 0.0,
+        };
+        let gas = bubble::Gas {
+            pressure: self.gas_pressure,
+            radius: R0,
+            polytropic_exponent: EXPONENT,
+        };
+        let wrong = |e: bubble::BubbleError| Failure::Absent(e.to_string());
+        let driving = Constant {
+            pressure: self.pressure,
+        };
+        let speed = (self.gas_pressure - self.pressure) / (liquid.density * liquid.sound_speed);
+        let mut state = BubbleState::moving(R0, speed, 0.0).map_err(wrong)?;
+        let mut curve = Vec::new();
+        for k in 1..=POINTS {
+            let time = self.end_time() * 1.3 * f64::from(k) / f64::from(POINTS);
+            let controls = Controls::default();
+            advance(
+                law,
+                &liquid,
+                &gas,
+                &driving,
+                &controls,
+                &mut state,
+                time,
+                &mut (),
+            )
+            .map_err(wrong)?;
+            curve.push([time, state.radius / R0]);
+        }
+        Ok(Swing {
+            curve,
+            defects: Vec::new(),
+            closed: 0,
+        })
+    }
+
+    fn liquid(&self, dx: f64) -> Result<Fluid, Failure> {
+        let extent = self.extent * R0;
+        let region = Region::new(Shape::Rectangle {
+            lower: [0.0, -extent],
+            upper: [extent, extent],
+        })
+        .with_hole(Shape::Disc {
+            centre: [0.0; 2],
+            radius: R0,
+        });
+        let spacing = Spacing {
+            finest: dx,
+            coarsest: extent / 8.0,
+            growth: 1.8 * dx / R0,
+            core: Some(Shape::Rectangle {
+                lower: [0.0, -CORE * R0],
+                upper: [CORE * R0; 2],
+            }),
+        };
+        let packing = pack(&region, &spacing, &Options::default())?;
+        let mut f = Fluid::new(&Start {
+            geometry: Geometry::Axisymmetric,
+            eos: water()?,
+            position: &packing.position,
+            area: &packing.area,
+            pressure: self.pressure,
+            velocity: [0.0; 2],
+            formulation: Formulation::Corrected(Settings::default()),
+        });
+        let far = FarField {
+            pressure: self.pressure,
+            step_pressure: self.pressure,
+            ..FarField::NONE
+        };
+        for normal in [[-1.0, 0.0], [0.0, -1.0], [0.0, 1.0]] {
+            let side = Plane {
+                normal,
+                offset: -extent,
+                speed: 0.0,
+            };
+            f.open_side(&side, far);
+        }
+        let law = GasLaw {
+            pressure: self.gas_pressure,
+            polytropic_exponent: EXPONENT,
+            limits: [[0.0, -2.0 * R0], [2.0 * R0; 2]],
+            cell: 0.5 * dx,
+        };
+        f.gas = Gas::fill(law, &f, &Ghosts::find(&f, &[]));
+        Ok(f)
+    }
+}
+
+/// The same by `n` particles per radius.
+pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
+    let body = Body::Fluid(setting.liquid(R0 / n)?);
+    let name = "water".into();
+    let mut world = World::new(vec![Named { name, body }], 0.3)?;
+    let (mut curve, mut defects) = (Vec::new(), Vec::new());
+    let (mut start, mut closed) = (None, 0);
+    while world.time < setting.end_time() {
+        let dt = world.stable_time_step().0;
+        world.advance(dt)?;
+        let Some(Body::Fluid(f)) = world.bodies.first().map(|b| &b.body) else {
+            return Err(Failure::Absent("there is no water".into()));
+        };
+        let Some(gas) = &f.gas else {
+            return Err(Failure::Absent("there is no gas".into()));
+        };
+        let account = &f.account;
+        let energy = f.kinetic_energy() + f.compression_energy() + gas.energy() + gas.lost;
+        let balance = energy + account.dissipation - account.far_field_work;
+        let first = *start.get_or_insert(balance);
+        curve.push([world.time, (gas.volume() / gas.first_volume).cbrt()]);
+        defects.push((balance - first) / (setting.pressure * gas.first_volume));
+        closed = gas.closed;
+    }
+    Ok(Swing {
+        curve,
+        defects,
+        closed,
+    })
+}
