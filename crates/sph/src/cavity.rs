@@ -5,6 +5,10 @@
 //! particles at the surface are strained (half a spacing inside the first particle is not: a parcel at the surface of a
 //! collapsing bubble is stretched along the radius).
 
+mod front;
+
+pub use front::{Front, fronts};
+
 use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
 use crate::geometry::{Geometry, Vec2};
@@ -193,10 +197,9 @@ impl Colour {
             })
             .collect();
         colour.add(&blots);
-        let finest = blots.iter().map(|b| b.h).fold(f64::INFINITY, f64::min);
-        if finest.is_finite() {
-            colour.reach = (kernel::SUPPORT * finest / window.cell).ceil() as usize;
-        }
+        let beside_void = blots.iter().filter(|b| colour.touches_void(b));
+        let widest = beside_void.map(|b| b.h).fold(0.0, f64::max);
+        colour.reach = (kernel::SUPPORT * widest / window.cell).ceil() as usize;
         colour
     }
 
@@ -218,6 +221,13 @@ impl Colour {
             own.copy_from_slice(&padded[..row]);
         }
     }
+
+    /// Whether the support of a particle reaches into a void.
+    fn touches_void(&self, b: &Blot) -> bool {
+        let row = |j: usize| &self.colour[self.size[0] * j..][b.from[0]..=b.to[0]];
+        (b.from[1]..=b.to[1]).any(|j| row(j).iter().any(|c| *c < 0.5))
+    }
+
     fn centre(&self, i: usize, j: usize) -> Vec2 {
         let w = self.window;
         [

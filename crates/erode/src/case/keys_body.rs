@@ -74,12 +74,43 @@ pub(crate) static FLUID_FORMULATION: Table = Table {
 
 static CORRECTED: Table = table(
     "corrected divergence, Riemann pair values, shifting that carries mass",
-    &[default(
-        "shifting",
-        Quantity(NUMBER, NotNegative),
-        "10",
-        "strength k of the shifting velocity",
-    )],
+    &[
+        default(
+            "shifting",
+            Quantity(NUMBER, NotNegative),
+            "10",
+            "strength k of the shifting velocity",
+        ),
+        optional(
+            "refinement",
+            Nested(&REFINEMENT),
+            "particles are halved near the cavity as it shrinks, and merged again; without this key they never are",
+        ),
+    ],
+);
+
+static REFINEMENT: Table = table(
+    "wanted spacing near the cavity: its radius / per_radius + growth * distance from its surface",
+    &[
+        default(
+            "per_radius",
+            Quantity(NUMBER, Within(4.0, 200.0)),
+            "20",
+            "particles per radius that the cavity has now",
+        ),
+        default(
+            "growth",
+            Quantity(NUMBER, Within(0.02, 1.0)),
+            "0.06",
+            "growth of the spacing per distance from the surface",
+        ),
+        default(
+            "smallest",
+            Quantity(NUMBER, Within(0.01, 1.0)),
+            "0.05",
+            "a cavity is followed down to this radius / radius of the bubble at the start",
+        ),
+    ],
 );
 
 static JOSHI_FLUID: Table = table(

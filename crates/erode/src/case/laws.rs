@@ -3,7 +3,7 @@
 use super::{
     error::{Findings, Span},
     node::Fields,
-    simulation::{FluidFormulation, SolidFormulation},
+    simulation::{FluidFormulation, Refinement, SolidFormulation},
     suggest::{closest, did_you_mean},
 };
 use crate::materials::{Library, Material, Terms};
@@ -203,6 +203,14 @@ pub(crate) fn fluid_formulation(fields: Fields<'_>, key: &str) -> Option<FluidFo
         },
         _ => FluidFormulation::Corrected {
             shifting: f.number("shifting")?,
+            refinement: match f.table("refinement") {
+                Some(r) => Some(Refinement {
+                    per_radius: r.number("per_radius")?,
+                    growth: r.number("growth")?,
+                    smallest: r.number("smallest")?,
+                }),
+                None => None,
+            },
         },
     })
 }

@@ -51,6 +51,6 @@ pub use json_schema::json_schema;
 pub use load::{Case, Loaded};
 pub use loads::{Indenter, Loads, Pressure, Ramp, Settling};
 pub use simulation::{
-    Body, BodyKind, Bubble, BubbleGas, Fluid, FluidFormulation, Output, Probe, Run, Side, Sides,
-    Simulation, Solid, SolidFormulation, Wave,
+    Body, BodyKind, Bubble, BubbleGas, Fluid, FluidFormulation, Output, Probe, Refinement, Run,
+    Side, Sides, Simulation, Solid, SolidFormulation, Wave,
 };

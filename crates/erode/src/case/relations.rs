@@ -49,6 +49,23 @@ fn check_fill(b: &Built, geometry: Geometry, findings: &mut Findings) {
     }
 }
 
+/// Refinement needs a cavity to follow.
+pub(crate) fn check_refinement(bodies: &[Built], bubble: bool, findings: &mut Findings) {
+    for b in bodies.iter().filter(|_| !bubble) {
+        let BodyKind::Fluid(fluid) = &b.body.kind else {
+            continue;
+        };
+        if fluid.refinement().is_some() {
+            let message = format!(
+                "the refinement of `{}` has no cavity to follow",
+                b.body.name
+            );
+            let help = "say where it is in [bubble], or leave `refinement` out";
+            findings.error(b.at, message, "needs a [bubble]", help);
+        }
+    }
+}
+
 fn check_holes(b: &Built, findings: &mut Findings) {
     for (i, (hole, span)) in b.body.holes.iter().zip(&b.holes).enumerate() {
         if area_shared(hole, &b.body.shape) == 0.0 {

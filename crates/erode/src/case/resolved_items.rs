@@ -197,8 +197,20 @@ fn fluid_items(f: &Fluid) -> Items {
         ("gamma", Item::Number(f.eos.gamma)),
     ];
     let formulation = match f.formulation {
-        FluidFormulation::Corrected { shifting } => {
-            choice("corrected", vec![("shifting", Item::Number(shifting))])
+        FluidFormulation::Corrected {
+            shifting,
+            refinement,
+        } => {
+            let mut items = vec![("shifting", Item::Number(shifting))];
+            items.extend(refinement.map(|r| {
+                let of = vec![
+                    ("per_radius", Item::Number(r.per_radius)),
+                    ("growth", Item::Number(r.growth)),
+                    ("smallest", Item::Number(r.smallest)),
+                ];
+                ("refinement", Item::Table(of))
+            }));
+            choice("corrected", items)
         }
         FluidFormulation::Joshi { alpha, beta } => choice(
             "joshi",

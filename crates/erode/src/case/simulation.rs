@@ -139,6 +139,17 @@ pub struct Fluid {
     pub velocity: [f64; 2],
 }
 
+impl Fluid {
+    /// Refinement that follows the cavity, if the case asks for it.
+    #[must_use]
+    pub fn refinement(&self) -> Option<Refinement> {
+        match self.formulation {
+            FluidFormulation::Corrected { refinement, .. } => refinement,
+            FluidFormulation::Joshi { .. } => None,
+        }
+    }
+}
+
 /// Discrete forms of the liquid.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -147,6 +158,9 @@ pub enum FluidFormulation {
     Corrected {
         /// Strength k of the shifting velocity, dimensionless.
         shifting: f64,
+        /// Refinement that follows the cavity.
+        #[serde(default)]
+        refinement: Option<Refinement>,
     },
     /// The published form: summation density with f1, artificial viscosity (Joshi 2018, eqs 5.29, 6.7 to 6.9).
     Joshi {
@@ -155,6 +169,17 @@ pub enum FluidFormulation {
         /// Quadratic artificial viscosity.
         beta: f64,
     },
+}
+
+/// Wanted spacing near a cavity: its radius / `per_radius` + `growth` times distance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Refinement {
+    /// Particles per radius that the cavity has now.
+    pub per_radius: f64,
+    /// Growth of the spacing per distance from the surface.
+    pub growth: f64,
+    /// Least radius that is followed, in units of that at the start.
+    pub smallest: f64,
 }
 
 /// A layer of another material at the top of a solid.

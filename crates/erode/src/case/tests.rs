@@ -279,7 +279,10 @@ fn overrides_replace_add_and_address_blocks_by_name_or_number() {
     };
     assert_eq!(
         f.formulation,
-        FluidFormulation::Corrected { shifting: 20.0 }
+        FluidFormulation::Corrected {
+            shifting: 20.0,
+            refinement: None
+        }
     );
 }
 

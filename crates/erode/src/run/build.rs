@@ -139,10 +139,12 @@ fn fluid(
 
 fn formulation(f: FluidFormulation) -> Formulation {
     match f {
-        FluidFormulation::Corrected { shifting } => Formulation::Corrected(corrected::Settings {
-            shifting,
-            ..corrected::Settings::default()
-        }),
+        FluidFormulation::Corrected { shifting, .. } => {
+            Formulation::Corrected(corrected::Settings {
+                shifting,
+                ..corrected::Settings::default()
+            })
+        }
         FluidFormulation::Joshi { alpha, beta } => Formulation::Joshi(joshi::Settings {
             alpha,
             beta,

@@ -15,6 +15,7 @@ mod loads;
 mod monitor;
 mod observer;
 mod probes;
+mod refinement;
 mod results;
 mod single_bubble;
 mod state;

@@ -175,6 +175,27 @@ pub(crate) fn solid(world: &World) -> Option<&Solid> {
     })
 }
 
+/// Surfaces of solids that the liquid meets.
+pub(super) fn wetted(world: &World) -> Vec<SurfaceLine> {
+    let surface = solid(world).and_then(|s| s.surface(Side::Top));
+    surface.map(SurfaceLine::of).into_iter().collect()
+}
+
+/// Where the bubble is looked for, in cells of the size `cell` (m).
+pub(super) fn window(bubble: &Bubble, cell: f64) -> Window {
+    let reach = 1.4 * bubble.radius;
+    let floor = if bubble.wall_distance.is_some() {
+        0.0
+    } else {
+        f64::NEG_INFINITY
+    };
+    Window {
+        lower: [0.0, (bubble.centre[1] - reach).max(floor)],
+        upper: [bubble.centre[0] + reach, bubble.centre[1] + reach],
+        cell,
+    }
+}
+
 /// Measures the bubble.
 #[must_use]
 pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
@@ -191,23 +212,9 @@ pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
     let Some(fluid) = liquid(world) else {
         return nothing;
     };
-    let lines: Vec<SurfaceLine> = solid(world)
-        .and_then(|s| s.surface(Side::Top))
-        .map(SurfaceLine::of)
-        .into_iter()
-        .collect();
+    let lines = wetted(world);
     let walls: Vec<&dyn Wall> = lines.iter().map(|l| l as &dyn Wall).collect();
-    let reach = 1.4 * bubble.radius;
-    let floor = if bubble.wall_distance.is_some() {
-        0.0
-    } else {
-        f64::NEG_INFINITY
-    };
-    let window = Window {
-        lower: [0.0, (bubble.centre[1] - reach).max(floor)],
-        upper: [bubble.centre[0] + reach, bubble.centre[1] + reach],
-        cell,
-    };
+    let window = window(bubble, cell);
     let colour = Colour::new(fluid, &Ghosts::find(fluid, &walls), window);
     let cavities = colour.cavities(SMALLEST_VOID);
     let Some(largest) = cavities.first() else {

@@ -191,10 +191,13 @@ fn counts(s: &mut Summary, world: &World) {
                 ("tension_removed", a.cavitating),
                 ("fragments_kept_whole", a.parted),
                 ("limited_exchanges", a.limited_exchanges),
+                ("particles_halved", a.refinement.splits),
+                ("particles_merged", a.refinement.merges),
             ];
             for (name, count) in entries {
                 s.set_ledger(name, "-", count as f64);
             }
+            s.set_ledger("refinement_energy_loss", "J", a.refinement.energy);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The state of a world as named arrays of a checkpoint, and back.
 
-use super::RunError;
+use super::{RunError, refinement};
 use crate::output::Checkpoint;
 use erode_physics::tensor::Sym3;
 use erode_sph::fluid::Clustering;
@@ -30,6 +30,7 @@ pub(crate) fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), Ru
                 checkpoint.push(&key("cluster_order"), order)?;
                 let state = vec![clusters.fresh as f64, f64::from(u8::from(clusters.stale))];
                 checkpoint.push(&key("cluster_state"), state)?;
+                refinement::store(f, &named.name, checkpoint)?;
             }
             Body::Solid(s) => {
                 let q = &s.state;
@@ -119,6 +120,8 @@ pub(crate) fn restore(
         };
         match &mut named.body {
             Body::Fluid(f) => {
+                f.account = serde_json::from_value(account["account"].clone()).map_err(wrong)?;
+                refinement::restore(f, &name, checkpoint)?;
                 let n = f.len();
                 f.position = vectors("position", n)?;
                 f.velocity = vectors("velocity", n)?;
@@ -134,7 +137,6 @@ pub(crate) fn restore(
                     &numbers("cluster_state", 2)?,
                     &name,
                 )?;
-                f.account = serde_json::from_value(account["account"].clone()).map_err(wrong)?;
                 f.gas = serde_json::from_value(account["gas"].clone()).map_err(wrong)?;
             }
             Body::Solid(s) => {

@@ -4,7 +4,7 @@ use super::course::Course;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
-use super::{RunError, impact, loads, results, state, watch};
+use super::{RunError, impact, loads, refinement, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{
     Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
@@ -141,6 +141,7 @@ impl Run {
             finding = match self.world.advance(dt) {
                 Ok(()) => {
                     loads::settle(&mut self.world, loads, dt);
+                    refinement::follow(&mut self.world, &self.simulation, self.cell);
                     watch::implausible(&self.world)
                 }
                 Err(error) => Some(watch::failed_step(error, &limiter)?),

@@ -220,6 +220,25 @@ fn a_run_of_the_published_forms_goes_on_to_the_same_bits() {
     assert_identical(&dirs[0], &dirs[1]);
 }
 
+/// Particles that came and went: their number, order and origin are part of a checkpoint. One or two threads.
+#[test]
+fn a_refined_run_goes_on_to_the_same_bits() {
+    let dirs = ["refined", "refined-again"].map(fresh);
+    for (dir, threads) in dirs.iter().zip(["2", "1"]) {
+        let refined =
+            "setup.bubble_near_wall.liquid_formulation.corrected.refinement.per_radius=12";
+        let short = "run.end_time=1 us";
+        let set = ["--set", refined, "--set", short, "--threads", threads];
+        let output = start(CASE, dir, &set).wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+    }
+    let halved = summary(&dirs[0])["ledger"]["particles_halved"].as_f64();
+    assert!(halved.unwrap() > 10.0, "{halved:?}");
+    fs::remove_file(&checkpoints(&dirs[1])[1]).unwrap();
+    says(&["resume", dirs[1].to_str().unwrap(), "--threads", "1"]);
+    assert_identical(&dirs[0], &dirs[1]);
+}
+
 #[test]
 fn a_gas_bubble_comes_back_and_goes_on_to_the_same_bits() {
     let whole = finished("gas-rebound").dir;

@@ -2,6 +2,7 @@
 //! inside and plain at a free surface ([`super::momentum`]), Riemann dissipation, shifting that carries mass
 //! ([`super::shifting`]). The order of a step: [`super::step`].
 
+use crate::fluid::refinement::Changes;
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum, shifting};
 use rayon::prelude::*;
@@ -49,6 +50,9 @@ pub struct Account {
     pub parted: u64,
     /// Exchanges of volume that were cut to the largest share a particle may give.
     pub limited_exchanges: u64,
+    /// What refinement did.
+    #[serde(default)]
+    pub refinement: Changes,
 }
 
 impl<const D: usize> Fluid<D> {

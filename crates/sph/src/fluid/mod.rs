@@ -16,6 +16,7 @@ mod moments;
 mod momentum;
 mod pair;
 mod places;
+pub mod refinement;
 mod shifting;
 pub(crate) mod step;
 
@@ -72,6 +73,10 @@ pub struct Fluid<const D: usize = 2> {
     pub formulation: Formulation,
     /// Which particles are summed side by side.
     pub clustering: Clustering,
+    /// Where each particle comes from.
+    pub origin: Vec<refinement::Origin>,
+    /// Number that the next particle gets.
+    pub next_id: u32,
     /// Gas in its cavities, if there is any.
     pub gas: Option<gas::Gas>,
     /// Pressure of the gas on each particle, Pa; empty without gas.
@@ -141,6 +146,10 @@ impl<const D: usize> Fluid<D> {
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
             clustering: Clustering::of(n),
+            origin: (0..n as u32)
+                .map(|id| refinement::Origin { id, level: 0 })
+                .collect(),
+            next_id: n as u32,
             gas: None,
             gas_pressure: Vec::new(),
             account: Account::default(),

@@ -256,6 +256,11 @@ impl<const D: usize> Places<D> {
         place as usize
     }
 
+    /// Number of particles that have a place.
+    pub(crate) fn len(&self) -> usize {
+        self.of_particle.len()
+    }
+
     /// Place of particle `a`.
     #[inline]
     pub(crate) fn of(&self, a: usize) -> usize {

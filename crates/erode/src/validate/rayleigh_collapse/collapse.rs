@@ -4,10 +4,11 @@ use super::history::{self, Sample};
 use crate::validate::Failure;
 use crate::validate::materials::water;
 use erode_sph::Geometry;
-use erode_sph::cavity::{Colour, Window};
+use erode_sph::cavity::{Colour, Window, fronts};
 use erode_sph::fluid::corrected::Settings;
 use erode_sph::fluid::far_field::FarField;
 use erode_sph::fluid::ghosts::{Ghosts, Plane};
+use erode_sph::fluid::refinement::Refinement;
 use erode_sph::fluid::{Fluid, Formulation, Start};
 use erode_sph::packing::{Options, Packing, Spacing, pack};
 use erode_sph::shapes::{Region, Shape};
@@ -41,17 +42,28 @@ const MOST_STEPS: u64 = 100_000;
 #[derive(Debug, Clone)]
 pub(super) struct Collapse {
     pub(super) n: usize,
-    pub(super) particles: usize,
+    /// Particles per radius kept by refinement.
+    pub(super) refined: Option<usize>,
+    /// At the start and at most.
+    pub(super) particles: [usize; 2],
     pub(super) steps: u64,
     pub(super) samples: Vec<Sample>,
 }
 
 impl Collapse {
     fn absent(&self, radius: f64) -> Failure {
-        let n = self.n;
+        let name = self.name();
         Failure::Absent(format!(
-            "the run with {n} particles per radius has no value at R = {radius} R0"
+            "the run with {name} has no value at R = {radius} R0"
         ))
+    }
+
+    /// As in tables.
+    pub(super) fn name(&self) -> String {
+        match self.refined {
+            None => format!("n = {}", self.n),
+            Some(kept) => format!("n = {}, refined to {kept} per R", self.n),
+        }
     }
 
     /// Time at a radius (R/R0), s.
@@ -132,24 +144,44 @@ fn start(dx: f64, n: f64) -> Result<Fluid, Failure> {
     Ok(f)
 }
 
-/// Runs the collapse with `n` particles per radius to a little beyond the smallest resolved radius, at least to 0.27 R0.
-pub(super) fn run(n: usize) -> Result<Collapse, Failure> {
+/// Radius to which a refined run goes, R/R0: a little beyond 0.1, where the speed is judged last.
+const REFINED_TO: f64 = 0.085;
+
+/// Halves particles so that `kept` of them lie in the radius that the cavity has now.
+fn refinement(kept: usize) -> Refinement {
+    Refinement {
+        per_radius: kept as f64,
+        growth: GROWTH,
+        smallest: 0.05 * R0,
+    }
+}
+
+/// Runs the collapse with `n` particles per radius to a little beyond the smallest resolved radius, at least to 0.27 R0;
+/// with refinement to [`REFINED_TO`].
+pub(super) fn run(n: usize, refined: Option<usize>) -> Result<Collapse, Failure> {
     let dx = R0 / n as f64;
     let fluid = start(dx, n as f64)?;
-    let particles = fluid.len();
+    let mut particles = [fluid.len(); 2];
     let name = "water".into();
     let body = Body::Fluid(fluid);
     let mut world = World::new(vec![Named { name, body }], 0.3)?;
-    let smallest = (0.8 * resolved_radius(n)).min(0.27);
-    let mut samples = vec![look(&world, dx, R0)?];
+    let smallest = match refined {
+        None => (0.8 * resolved_radius(n)).min(0.27),
+        Some(_) => REFINED_TO,
+    };
+    let asked = refined.map(refinement);
+    let mut samples = vec![look(&world, dx, R0, asked)?];
     let mut radius = samples[0].radius;
     while radius > smallest {
         let steps = if radius > LOOK.2 { LOOK.0 } else { LOOK.1 };
         for _ in 0..steps {
             let dt = world.stable_time_step().0;
             world.advance(dt)?;
+            if let Some(asked) = &asked {
+                particles[1] = particles[1].max(refine(&mut world, asked, dx, radius * R0));
+            }
         }
-        let sample = look(&world, dx, radius * R0)?;
+        let sample = look(&world, dx, radius * R0, asked)?;
         radius = sample.radius;
         samples.push(sample);
         if world.step > MOST_STEPS {
@@ -159,23 +191,44 @@ pub(super) fn run(n: usize) -> Result<Collapse, Failure> {
     }
     Ok(Collapse {
         n,
+        refined,
         particles,
         steps: world.step,
         samples,
     })
 }
 
+/// Refines after a step; returns the number of particles. The cavity was of the radius `known` (m) before.
+fn refine(world: &mut World, asked: &Refinement, dx: f64, known: f64) -> usize {
+    let step = world.step;
+    let Some(Body::Fluid(f)) = world.bodies.first_mut().map(|b| &mut b.body) else {
+        return 0;
+    };
+    if Refinement::is_due(step) {
+        let found = fronts(f, &[], window(known, dx, 0.5 * dx));
+        f.refine(asked, &found, step);
+    }
+    f.len()
+}
+
+/// Around a cavity of the radius `known` (m).
+fn window(known: f64, dx: f64, cell: f64) -> Window {
+    let reach = 1.1 * known + 8.0 * dx;
+    Window {
+        lower: [0.0, -reach],
+        upper: [reach, reach],
+        cell,
+    }
+}
+
 /// Size and shape of the cavity, which was of the radius `known` (m) before, and the energies of the water.
-fn look(world: &World, dx: f64, known: f64) -> Result<Sample, Failure> {
+fn look(world: &World, dx: f64, known: f64, asked: Option<Refinement>) -> Result<Sample, Failure> {
     let Some(Body::Fluid(f)) = world.bodies.first().map(|b| &b.body) else {
         return Err(Failure::Absent("there is no water".into()));
     };
-    let reach = 1.1 * known + 8.0 * dx;
-    let window = Window {
-        lower: [0.0, -reach],
-        upper: [reach, reach],
-        cell: 0.5 * dx,
-    };
+    // Half of the finest spacing.
+    let finest = asked.map_or(dx, |r| dx.min(known / r.per_radius));
+    let window = window(known, dx, 0.5 * finest);
     let colour = Colour::new(f, &Ghosts::find(f, &[]), window);
     let cavity = colour.cavities(2).into_iter().next();
     let volume = cavity.map_or(0.0, |c| c.volume);

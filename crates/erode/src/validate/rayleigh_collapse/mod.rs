@@ -3,6 +3,7 @@
 mod collapse;
 mod history;
 mod reference;
+mod refined;
 
 use super::check::Check;
 use super::{Failure, Figure, Finding, Style, Validation};
@@ -20,6 +21,9 @@ pub(super) const VALIDATION: Validation = Validation {
 /// Particles per radius.
 const QUICK: &[usize] = &[15, 30];
 const FULL: &[usize] = &[15, 30, 60];
+
+/// Particles per radius at the start, and of the radius that the cavity has later.
+const REFINED: (usize, usize) = (30, 20);
 
 /// Radii between which times are judged, R/R0.
 const RANGE: (f64, f64) = (0.3, 0.94);
@@ -58,7 +62,7 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     let mut runs = Vec::new();
     for &n in if quick { QUICK } else { FULL } {
         say(&format!("{n} particles per radius"));
-        runs.push(collapse::run(n)?);
+        runs.push(collapse::run(n, None)?);
     }
     let mut finding = Finding::default();
     for run in &runs {
@@ -68,10 +72,19 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         finding.checks.extend(common(run, &reference));
         finding.notes.push(format!(
             "n = {}: {} particles, {} steps",
-            run.n, run.particles, run.steps
+            run.n, run.particles[0], run.steps
         ));
     }
     finding.checks.extend(orders(&runs, &reference)?);
+    if !quick {
+        let (n, kept) = REFINED;
+        say(&format!("{n} particles per radius, refined to {kept}"));
+        let run = collapse::run(n, Some(kept))?;
+        finding.checks.extend(refined::judge(&run, &reference)?);
+        finding.notes.push(refined::note(&run));
+        finding.notes.push(refined::beside(&runs, &run, &reference));
+        runs.push(run);
+    }
     finding.figures.push(radius_figure(&runs, &reference));
     finding.figures.push(speed_figure(&runs, &reference));
     Ok(finding)
@@ -241,6 +254,14 @@ fn orders(runs: &[Collapse], reference: &Reference) -> Result<Vec<Check>, Failur
     Ok(checks)
 }
 
+/// Name of a run in a figure.
+fn curve(run: &Collapse) -> String {
+    match run.refined {
+        None => format!("{} per radius", run.n),
+        Some(kept) => format!("{} per radius, refined to {kept}", run.n),
+    }
+}
+
 fn radius_figure(runs: &[Collapse], reference: &Reference) -> Figure {
     let mut figure = Figure::new(
         "rayleigh-collapse-radius",
@@ -250,7 +271,7 @@ fn radius_figure(runs: &[Collapse], reference: &Reference) -> Figure {
     );
     for run in runs {
         let points = run.samples.iter().map(|s| [s.time, s.radius]).collect();
-        figure.add(&format!("{} per radius", run.n), Style::Line, points);
+        figure.add(&curve(run), Style::Line, points);
     }
     let rows = &reference.rows;
     let compressible = rows.iter().map(|r| [r.time, r.radius]).collect();
@@ -267,11 +288,11 @@ fn speed_figure(runs: &[Collapse], reference: &Reference) -> Figure {
         ("radius/initial radius", "-"),
         ("speed", "m/s"),
     );
-    let shown = || reference.between(0.12, 0.94);
+    let shown = || reference.between(0.1, 0.94);
     for run in runs {
         let at = |radius: f64| run.speed_at(radius).ok().map(|v| [radius, v]);
         let points = shown().filter_map(|r| at(r.radius)).collect();
-        figure.add(&format!("{} per radius", run.n), Style::Line, points);
+        figure.add(&curve(run), Style::Line, points);
     }
     let points = shown().map(|r| [r.radius, r.speed]).collect();
     figure.add("reference, compressible", Style::Dashed, points);
