@@ -297,3 +297,19 @@ fn wrong_command_lines_are_wrong_input() {
         assert_eq!(erode(args).status.code(), Some(1), "{args:?}");
     }
 }
+
+#[test]
+fn refinement_does_not_go_with_gas() {
+    let folder = Folder::new();
+    let file = folder.file(CASE);
+    let refinement = "setup.bubble_near_wall.liquid_formulation.corrected.refinement={per_radius=20, growth=0.06, smallest=0.2}";
+    let gas = "setup.bubble_near_wall.gas={pressure=\"100 kPa\"}";
+    let text = flat(&refused(&file, &["--set", refinement, "--set", gas]));
+    assert!(text.contains("does not go with gas"), "{text}");
+    assert!(text.contains("leave `refinement` or `gas` out"), "{text}");
+    // Each alone is fine.
+    for one in [refinement, gas] {
+        let path = file.to_str().expect("the path is UTF-8");
+        assert!(erode(&["check", path, "--set", one]).status.success());
+    }
+}

@@ -108,7 +108,7 @@ fn paths_in_the_documents_exist() {
             .filter_map(|t| t.split(')').next())
             // Addresses elsewhere and places within a document are not files.
             .filter(|t| !t.contains("://") && !t.starts_with('#'))
-            .map(|t| folder.join(t));
+            .map(|t| folder.join(t.split('#').next().unwrap_or(t)));
         let code = text
             .split('`')
             .skip(1)

@@ -10,6 +10,10 @@ const KNOWN_MISSES: [&str; 1] =
     // which are not adjoint to each other at a free surface, miss 1.3 to 1.5 % of the energy put in.
     ["n = 8: defect of the energy ledger"];
 
+/// The bubble that comes back after a collapse to a fourteenth of its radius is no longer round: its surface, thrown back by the gas,
+/// ripples, and some of the energy stays in the ripples. -14 to -17 % at 30 particles per radius, -13 % at 45 and 60.
+const KNOWN_MISS_OF_GAS: [&str; 1] = ["50 MPa, n = 30: radius of the first rebound [R0]"];
+
 fn quick(name: &str, known: &[&str]) {
     let outcomes = run(&[name.to_owned()], false, true, &mut |_| ()).expect("the names are known");
     for outcome in outcomes {
@@ -79,7 +83,7 @@ fn rayleigh_collapse() {
 
 #[test]
 fn gas_rebound() {
-    quick("gas-rebound", &[]);
+    quick("gas-rebound", &KNOWN_MISS_OF_GAS);
 }
 
 #[test]
@@ -131,6 +135,7 @@ fn none_is_forgotten() {
         "indentation-planestrain",
         "gaussian-pressure-static",
         "rayleigh-collapse",
+        "gas-rebound",
         "detached-cavity",
         "attached-cavity",
         "bubble-rayleigh",

@@ -42,7 +42,8 @@ pub(crate) fn simulation(
     let loads = loads(f, setup.as_ref(), &bodies, complete, geometry, findings);
     let probes = probes(f, &bodies, complete, findings);
     relations::check(&bodies, complete, geometry, findings);
-    relations::check_refinement(&bodies, bubble.is_some() || !complete, findings);
+    let gas = bubble.as_ref().is_some_and(|b| b.gas.is_some());
+    relations::check_refinement(&bodies, bubble.is_some() || !complete, gas, findings);
     estimate::check_memory(&bodies, geometry, findings);
     let title = f.text("title")?;
     let title = setup
