@@ -197,8 +197,8 @@ impl Colour {
             })
             .collect();
         colour.add(&blots);
-        let beside_void = blots.iter().filter(|b| colour.touches_void(b));
-        let widest = beside_void.map(|b| b.h).fold(0.0, f64::max);
+        let beside_void = (blots.par_iter().with_min_len(256)).filter(|b| colour.touches_void(b));
+        let widest = beside_void.map(|b| b.h).reduce(|| 0.0, f64::max);
         colour.reach = (kernel::SUPPORT * widest / window.cell).ceil() as usize;
         colour
     }
@@ -347,13 +347,12 @@ impl Colour {
         let (mut volume, mut moment) = (0.0, [0.0; 2]);
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let (mut inner, mut extent, mut axis_extent) = (f64::INFINITY, nothing, nothing);
-        for k in 0..rim.len() {
+        // The cells of a void belong to its rim.
+        for k in (0..rim.len()).filter(|k| rim[*k] == which) {
             let x = self.centre(k % self.size[0], k / self.size[0]);
-            if rim[k] == which {
-                let v = self.void(k);
-                volume += v;
-                moment = [moment[0] + v * x[0], moment[1] + v * x[1]];
-            }
+            let v = self.void(k);
+            volume += v;
+            moment = [moment[0] + v * x[0], moment[1] + v * x[1]];
             if label[k] == which {
                 inner = inner.min(x[0]);
                 extent = [extent[0].min(x[1]), extent[1].max(x[1])];
