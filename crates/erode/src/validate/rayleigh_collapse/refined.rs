@@ -13,8 +13,8 @@ const RANGE: (f64, f64) = (0.1, 0.9);
 
 const SPEED_REASON: &str =
     "issue 5: the wall speed holds within 5 % down to 0.1 R0 from 30 particles per radius";
-const WORST_REASON: &str = "the layer at the surface is halved all at once when it first becomes too coarse, which moves the \
-                            surface by a tenth of a spacing: a bump of the speed of up to 7 % in trials with 18 to 25 per R";
+const WORST_REASON: &str = "issue 5: 5 % everywhere. Known miss: the layer at the surface is halved all at once when it first becomes too \
+                            coarse, which moves the surface by a tenth of a spacing, a bump of the speed near 0.54 R0";
 
 pub(super) fn judge(run: &Collapse, reference: &Reference) -> Result<Vec<Check>, Failure> {
     let name = run.name();
@@ -34,7 +34,7 @@ pub(super) fn judge(run: &Collapse, reference: &Reference) -> Result<Vec<Check>,
         format!("{name}: largest relative error of the speed, R = {high} to {low} R0 (at {place})"),
         "-",
         (worst, 0.0),
-        0.08,
+        0.05,
         WORST_REASON,
     ));
     for radius in [0.5, 0.1] {
