@@ -90,7 +90,7 @@ fn prefixed(power: f64, unit: &str, dimension: i32, superscript: &str) -> Scale 
 
 fn powered(power: f64, unit: &str) -> Scale {
     let unit = pretty_unit(unit);
-    if unit == "%" || (-3.0..4.999).contains(&power) {
+    if (-3.0..4.999).contains(&power) || (unit == "%" && power > 0.0) {
         return Scale { factor: 1.0, unit };
     }
     in_thousands(power, &unit)

@@ -70,6 +70,7 @@ pub fn document() -> Document {
              source states, or a\nbound that its words set (the last column says which); `shown` stands beside it without being \
              judged. A statement that is missed stays here\nwith its cause: nothing is tuned to it.\n",
         subject: "figure or table",
+        reason: "statement or bound",
         order: all().iter().map(|r| r.id).collect(),
         prefixed: true,
     }

@@ -216,8 +216,11 @@ impl Course for Run {
                 return Ok(false);
             }
             let before = self.world.time;
-            self.last = self.world.stable_time_step();
-            self.checked_step()?;
+            // Inside the pool of threads parallel loops begin at once; from outside each of them would have to be handed over.
+            rayon::scope(|_| {
+                self.last = self.world.stable_time_step();
+                self.checked_step()
+            })?;
             let begun = Instant::now();
             self.write_due(before)?;
             self.written += begun.elapsed().as_secs_f64();

@@ -17,6 +17,8 @@ pub struct Document {
     pub head: &'static str,
     /// What its outcomes are.
     pub subject: &'static str,
+    /// What the words beside each number say.
+    pub reason: &'static str,
     /// Names of all that may stand in it, in their order.
     pub order: Vec<&'static str>,
     /// Whether figures of different outcomes may have the same name.
@@ -34,6 +36,7 @@ impl Document {
                  percent where\nthe tolerance is, otherwise in the unit of the quantity. `shown` stands beside its reference \
                  without being judged.\n",
             subject: "validation",
+            reason: "why this tolerance",
             order: ALL.iter().map(|v| v.name).collect(),
             prefixed: false,
         }
@@ -138,9 +141,11 @@ fn section(out: &mut String, document: &Document, o: &Outcome) {
         let _ = write!(out, "\n**Failed**: {failure}\n");
     }
     if !o.finding.checks.is_empty() {
-        out.push_str(
-            "\n| quantity | unit | reference | result | error | tolerance | | why this tolerance |\n\
+        let _ = write!(
+            out,
+            "\n| quantity | unit | reference | result | error | tolerance | | {} |\n\
              | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+            document.reason
         );
     }
     for c in &o.finding.checks {

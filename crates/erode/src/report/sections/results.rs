@@ -7,7 +7,7 @@ use crate::report::run_data::RunData;
 use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
-const KEY_RESULTS: [(&str, &str); 36] = [
+const KEY_RESULTS: [(&str, &str); 37] = [
     (
         "collapse_time",
         "Collapse time, from the arrival of the wave",
@@ -23,6 +23,7 @@ const KEY_RESULTS: [(&str, &str); 36] = [
     ("jet_half_width", "Half-width of the jet"),
     ("toroid_r", "Ring of void, distance from the axis"),
     ("toroid_z", "… height above the wall"),
+    ("toroid_time", "… at the instant"),
     ("max_pressure", "Largest pressure in the liquid"),
     ("peak_wall_pressure", "Largest wall pressure"),
     ("peak_wall_pressure_time", "… at the instant"),
