@@ -14,7 +14,7 @@ use crate::fluid::pair::{Pair, add_scaled, half_ring, limited, plus, scaled};
 use crate::fluid::places::{self, Places};
 use crate::geometry::Geometry;
 use crate::kernel;
-use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
 
 /// Strength of the short-range term in the crowding.
@@ -117,12 +117,6 @@ fn image<const D: usize>(geometry: Geometry, plane: &Plane<D>, p: Particle<D>) -
 impl<const D: usize> PairSum for Law<D> {
     type Particle = Particle<D>;
     type Result = Kinematics<D>;
-    type Sums<S: Simd> = Kinematics<D, S>;
-
-    #[inline(always)]
-    fn zero<S: Simd>() -> Kinematics<D, S> {
-        Kinematics::default().splat()
-    }
 
     #[inline(always)]
     fn add<S: Simd>(&self, sums: &mut Kinematics<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {

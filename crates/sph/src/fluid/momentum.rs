@@ -14,7 +14,7 @@ use crate::fluid::pair::{Pair, add_scaled, dot, limited, plus, scaled};
 use crate::fluid::places;
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
-use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
 
@@ -148,12 +148,6 @@ impl<const D: usize> Sums<D> {
 impl<const D: usize> PairSum for Law<D> {
     type Particle = Particle<D>;
     type Result = Sums<D>;
-    type Sums<S: Simd> = Sums<D, S>;
-
-    #[inline(always)]
-    fn zero<S: Simd>() -> Sums<D, S> {
-        Sums::default().splat()
-    }
 
     #[inline(always)]
     fn add<S: Simd>(&self, sums: &mut Sums<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {

@@ -184,7 +184,7 @@ impl<const D: usize> Places<D> {
         self.total = next[1].next_multiple_of(LANES);
     }
 
-    /// One record per place: `of` a particle, `image` of another record in a plane; anything where nobody stands.
+    /// One record per place, and eight more where nobody stands: `of` a particle, `image` of another record in a plane.
     fn fill<R: Record>(
         &self,
         records: &mut Vec<R>,
@@ -193,7 +193,7 @@ impl<const D: usize> Places<D> {
         image: impl Fn(&Plane<D>, R) -> R,
     ) {
         let n = self.order.len();
-        records.resize(self.total, R::default());
+        records.resize(self.total + LANES, R::default());
         (records[..n].par_iter_mut().zip(&self.order))
             .with_min_len(PARTICLES_PER_TASK)
             .for_each(|(record, a)| *record = of(*a as usize));
@@ -228,7 +228,7 @@ impl<const D: usize> Places<D> {
         image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
         sums: &mut Sums<L::Particle, L::Result>,
     ) {
-        let mut marked = vec![false; self.total];
+        let mut marked = vec![false; self.total + LANES];
         (marked.par_iter_mut().zip(&mut sums.records))
             .zip(&self.order)
             .with_min_len(PARTICLES_PER_TASK)

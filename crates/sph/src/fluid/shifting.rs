@@ -19,7 +19,7 @@ use crate::fluid::places::{self, Places};
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, compression_energy, kinetic_energy, ordered_sum};
 use crate::geometry::{self, Geometry, length};
-use crate::neighbours::pair_sum::{PairSum, Record, record};
+use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -200,12 +200,6 @@ fn image<const D: usize>(geometry: Geometry, plane: &Plane<D>, p: Particle<D>) -
 impl<const D: usize> PairSum for Exchange<D> {
     type Particle = Particle<D>;
     type Result = Gain<D>;
-    type Sums<S: Simd> = Gain<D, S>;
-
-    #[inline(always)]
-    fn zero<S: Simd>() -> Gain<D, S> {
-        Gain::default().splat()
-    }
 
     #[inline(always)]
     fn add<S: Simd>(&self, sums: &mut Gain<D, S>, a: &Particle<D, S>, b: &Particle<D, S>) {

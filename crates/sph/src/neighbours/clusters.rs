@@ -1,8 +1,10 @@
-//! Neighbours of clusters: eight particles share one list, and a sum takes all of them side by side ([`crate::simd`]).
+//! Neighbours of clusters: of eight particles each half shares one list, and a sum takes the four of it and two neighbours side
+//! by side ([`crate::simd`]). (One list for all eight would be longer by a third: more of its pairs are none.)
 //!
 //! Places are numbered through all points: those of the clusters first, then those that are neighbours only. A place is in
-//! the list of a cluster when its point lies within reach of at least one of the eight: |x_a - x_b| < reach_a + reach_b. For
-//! the other particles of the cluster it is a pair outside the support of the kernel, which adds exactly nothing.
+//! the list of a half when its point lies within reach of at least one of the four: |x_a - x_b| < reach_a + reach_b. For
+//! the others it is a pair outside the support of the kernel, which adds exactly nothing. A list of an odd number of places
+//! is filled up with a place behind all others, where nobody stands.
 
 use crate::neighbours::boxes::{Extent, Points, Tree, near};
 use crate::neighbours::pair_sum::{PairSum, SumBlock};
@@ -25,8 +27,9 @@ pub(crate) struct ClusterLists<const D: usize> {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Block {
     pub(crate) neighbour: Vec<u32>,
-    /// For each cluster the ends of its neighbours below the dividing place and of all its neighbours.
-    pub(crate) ends: Vec<[u32; 2]>,
+    /// For each cluster the ends of the neighbours of its lower half below the dividing place and of all of them; the same of its
+    /// upper half.
+    pub(crate) ends: Vec<[u32; 4]>,
 }
 
 impl<const D: usize> Default for ClusterLists<D> {
@@ -42,7 +45,7 @@ impl<const D: usize> Default for ClusterLists<D> {
 
 impl<const D: usize> ClusterLists<D> {
     /// Finds lists for the first `clusters` of the groups of points. In each list the places from `divide` on come last, as a
-    /// part of its own.
+    /// part of its own; both parts have an even number of places.
     pub(crate) fn rebuild(&mut self, groups: &[Points<D>], clusters: usize, divide: usize) {
         self.tree.rebuild(groups);
         self.clusters = clusters;
@@ -67,7 +70,8 @@ impl<const D: usize> ClusterLists<D> {
         self.blocks.iter().map(|b| b.neighbour.len()).sum()
     }
 
-    /// The sums of every particle of the clusters, over the places of all `records`.
+    /// The sums of every particle of the clusters, over the places of all `records`; behind them come eight places where nobody
+    /// stands.
     ///
     /// # Panics
     /// If there is not one record per place.
@@ -103,7 +107,7 @@ impl<const D: usize> ClusterLists<D> {
         results: &mut [L::Result],
         marked: Option<&[bool]>,
     ) {
-        assert_eq!(records.len(), self.places, "one record per place");
+        assert_eq!(records.len(), self.places + LANES, "one record per place");
         let (records, _) = records.as_chunks::<LANES>();
         (results.as_chunks_mut::<LANES>().0.par_chunks_mut(BLOCK))
             .zip(&self.blocks)
@@ -138,38 +142,62 @@ impl<const D: usize> Task for Search<'_, D> {
         let block = self.block;
         block.neighbour.clear();
         block.ends.clear();
-        let mut stack = Vec::with_capacity(64);
+        let nobody = (self.groups.len() * LANES) as u32;
+        let (mut stack, mut high) = (Vec::with_capacity(64), Vec::new());
         for cluster in self.clusters {
             let own = &self.groups[cluster];
             let mut divided = None;
+            high.clear();
             self.tree
                 .search::<S>(&Extent::of(own), &mut stack, |group| {
                     let first = group * LANES;
                     if first >= self.divide && divided.is_none() {
-                        divided = Some(block.neighbour.len());
+                        even(&mut block.neighbour, nobody);
+                        even(&mut high, nobody);
+                        divided = Some([block.neighbour.len(), high.len()]);
                     }
-                    let mut bits = within_reach::<S, D>(own, &self.groups[group]);
-                    while bits != 0 {
-                        block.neighbour.push((first as u32) + bits.trailing_zeros());
-                        bits &= bits - 1;
-                    }
+                    let [of_low, of_high] = within_reach::<S, D>(own, &self.groups[group]);
+                    push(&mut block.neighbour, first as u32, of_low);
+                    push(&mut high, first as u32, of_high);
                 });
+            even(&mut block.neighbour, nobody);
+            even(&mut high, nobody);
             let end = block.neighbour.len();
-            block.ends.push([divided.unwrap_or(end) as u32, end as u32]);
+            let [divided_low, divided_high] = divided.unwrap_or([end, high.len()]);
+            block.neighbour.extend_from_slice(&high);
+            let all = [divided_low, end, end + divided_high, end + high.len()];
+            block.ends.push(all.map(|e| e as u32));
         }
     }
 }
 
-/// Which of the points `other` lie within reach of one of the points `own`.
+/// Appends places of the group that begins at `first`.
 #[inline(always)]
-fn within_reach<S: Simd, const D: usize>(own: &Points<D>, other: &Points<D>) -> u8 {
-    let mut bits = 0;
+fn push(list: &mut Vec<u32>, first: u32, mut bits: u8) {
+    while bits != 0 {
+        list.push(first + bits.trailing_zeros());
+        bits &= bits - 1;
+    }
+}
+
+/// Fills a list up to an even length.
+#[inline(always)]
+fn even(list: &mut Vec<u32>, nobody: u32) {
+    if !list.len().is_multiple_of(2) {
+        list.push(nobody);
+    }
+}
+
+/// Which of the points `other` lie within reach of one of the lower four of the points `own`, and of one of the upper four.
+#[inline(always)]
+fn within_reach<S: Simd, const D: usize>(own: &Points<D>, other: &Points<D>) -> [u8; 2] {
+    let mut bits = [0; 2];
     for i in 0..LANES {
         let mut x = [0.0; D];
         for k in 0..D {
             x[k] = own.position[k][i];
         }
-        bits |= near::<S, D>(x, own.reach[i], other);
+        bits[i / (LANES / 2)] |= near::<S, D>(x, own.reach[i], other);
     }
     bits
 }
@@ -209,9 +237,9 @@ mod tests {
             let clusters = groups.len() / 2;
             let divide = (groups.len() * 3 / 4) * LANES;
             lists.rebuild(&groups, clusters, divide);
-            let near = |own: &Points<2>, b: usize| {
+            let near = |own: &Points<2>, half: usize, b: usize| {
                 let other = &groups[b / LANES];
-                (0..LANES).any(|i| {
+                (4 * half..4 * half + 4).any(|i| {
                     let d = [0, 1].map(|k| own.position[k][i] - other.position[k][b % LANES]);
                     d[0].hypot(d[1]) < own.reach[i] + other.reach[b % LANES]
                 })
@@ -222,16 +250,26 @@ mod tests {
                 if c % BLOCK == 0 {
                     begin = 0;
                 }
-                let [divided, end] = block.ends[c % BLOCK].map(|e| e as usize);
-                let found = &block.neighbour[begin..end];
-                let expected: Vec<u32> = (0..groups.len() * LANES)
-                    .filter(|b| near(&groups[c], *b))
-                    .map(|b| b as u32)
-                    .collect();
-                assert_eq!(found, expected, "{n} points, cluster {c}");
-                let before = expected.iter().filter(|b| (**b as usize) < divide).count();
-                assert_eq!(divided - begin, before);
-                begin = end;
+                let ends = block.ends[c % BLOCK].map(|e| e as usize);
+                for (half, [divided, end]) in [[ends[0], ends[1]], [ends[2], ends[3]]]
+                    .into_iter()
+                    .enumerate()
+                {
+                    let places = groups.len() * LANES;
+                    let part = |range: std::ops::Range<usize>| {
+                        let mut expected: Vec<u32> = range
+                            .filter(|b| near(&groups[c], half, *b))
+                            .map(|b| b as u32)
+                            .collect();
+                        even(&mut expected, places as u32);
+                        expected
+                    };
+                    let [first, second] = [part(0..divide), part(divide..places)];
+                    let message = format!("{n} points, cluster {c}, half {half}");
+                    assert_eq!(block.neighbour[begin..divided], first, "{message}");
+                    assert_eq!(block.neighbour[divided..end], second, "{message}");
+                    begin = end;
+                }
             }
         }
     }

@@ -68,6 +68,28 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn splat_halves(low: f64, high: f64) -> Self {
+        // SAFETY: see `Lanes`.
+        unsafe { Self(_mm256_set1_pd(low), _mm256_set1_pd(high)) }
+    }
+
+    #[inline(always)]
+    fn halves(self) -> [Self; 2] {
+        [Self(self.0, self.0), Self(self.1, self.1)]
+    }
+
+    #[inline(always)]
+    fn sum_halves(self, other: Self) -> Self {
+        // SAFETY: see `Lanes`.
+        unsafe {
+            Self(
+                _mm256_add_pd(self.0, self.1),
+                _mm256_add_pd(other.0, other.1),
+            )
+        }
+    }
+
+    #[inline(always)]
     fn load(x: &[f64; LANES]) -> Self {
         let (low, high) = x.split_at(LANES / 2);
         // SAFETY: see `Lanes`; four numbers are read from each half of eight, at any alignment.

@@ -63,6 +63,34 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn splat_halves(low: f64, high: f64) -> Self {
+        const HIGH: __mmask8 = 0b1111_0000;
+        // SAFETY: see `Lanes`.
+        Self(unsafe { _mm512_mask_broadcastsd_pd(_mm512_set1_pd(low), HIGH, _mm_set_sd(high)) })
+    }
+
+    #[inline(always)]
+    fn halves(self) -> [Self; 2] {
+        // SAFETY: see `Lanes`.
+        unsafe {
+            [
+                Self(_mm512_shuffle_f64x2::<0b01_00_01_00>(self.0, self.0)),
+                Self(_mm512_shuffle_f64x2::<0b11_10_11_10>(self.0, self.0)),
+            ]
+        }
+    }
+
+    #[inline(always)]
+    fn sum_halves(self, other: Self) -> Self {
+        // SAFETY: see `Lanes`.
+        unsafe {
+            let low = _mm512_shuffle_f64x2::<0b01_00_01_00>(self.0, other.0);
+            let high = _mm512_shuffle_f64x2::<0b11_10_11_10>(self.0, other.0);
+            Self(_mm512_add_pd(low, high))
+        }
+    }
+
+    #[inline(always)]
     fn load(x: &[f64; LANES]) -> Self {
         // SAFETY: see `Lanes`; eight numbers are read from an array of eight, at any alignment.
         Self(unsafe { _mm512_loadu_pd(x.as_ptr()) })

@@ -2,8 +2,8 @@
 //!
 //! A law between particles is written once, generic over [`Simd`], and run by [`run`] on what the processor has: AVX-512,
 //! AVX2 with FMA (two halves), or plain scalar code. All three have eight lanes and give **the same bits**: every operation is
-//! one IEEE operation per lane (`mul_add` is fused everywhere), square root and quotient are exact, and lanes are never added
-//! up across.
+//! one IEEE operation per lane (`mul_add` is fused everywhere), square root and quotient are exact, and all that is ever added
+//! up across lanes is one half and the other ([`Simd::sum_halves`]).
 //!
 //! How to write a law: a struct with what it needs, `impl Task for` it, and every function on the way down to the
 //! arithmetic `#[inline(always)]`: the processor's instructions only reach code that is inlined into [`run`]. Branches become
@@ -57,6 +57,15 @@ pub trait Simd:
 
     /// The same number in every lane.
     fn splat(x: f64) -> Self;
+
+    /// `low` in lanes 0 to 3, `high` in lanes 4 to 7.
+    fn splat_halves(low: f64, high: f64) -> Self;
+
+    /// Lanes 0 to 3 twice, and lanes 4 to 7 twice.
+    fn halves(self) -> [Self; 2];
+
+    /// In lanes 0 to 3 the lower half of `self` plus its upper half, in lanes 4 to 7 the same of `other`.
+    fn sum_halves(self, other: Self) -> Self;
 
     /// Lanes from memory.
     fn load(x: &[f64; LANES]) -> Self;

@@ -64,6 +64,25 @@ impl Simd for Lanes {
     }
 
     #[inline(always)]
+    fn splat_halves(low: f64, high: f64) -> Self {
+        Self(from_fn(|i| if i < LANES / 2 { low } else { high }))
+    }
+
+    #[inline(always)]
+    fn halves(self) -> [Self; 2] {
+        [0, LANES / 2].map(|first| Self(from_fn(|i| self.0[first + i % (LANES / 2)])))
+    }
+
+    #[inline(always)]
+    fn sum_halves(self, other: Self) -> Self {
+        let [a, b] = [self, other].map(Self::halves);
+        Self(from_fn(|i| {
+            let [low, high] = if i < LANES / 2 { a } else { b };
+            low.0[i] + high.0[i]
+        }))
+    }
+
+    #[inline(always)]
     fn load(x: &[f64; LANES]) -> Self {
         Self(*x)
     }

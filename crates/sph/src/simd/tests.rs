@@ -24,6 +24,10 @@ impl Task for Everything {
             S::select(less, b, c),
             S::splat(self.0[2][3]),
             S::splat(f64::from(S::bits(less))),
+            S::splat_halves(self.0[1][2], self.0[2][5]),
+            a.halves()[0],
+            a.halves()[1],
+            a.sum_halves(c),
             S::load_single(&self.0[0].map(|x| x as f32)),
             S::load(&self.0[0].map(|x| within(x.abs() * 7.0, 1e-300, 1e300)))
                 .split()
@@ -121,6 +125,10 @@ fn the_reference_does_what_it_says() {
             if less { b[i] } else { c[i] },
             c[3],
             mask,
+            if i < 4 { b[2] } else { c[5] },
+            a[i % 4],
+            a[4 + i % 4],
+            if i < 4 { a[i] + a[i + 4] } else { 1.0 },
             f64::from(a[i] as f32),
             (a[i].abs() * 7.0) / (a[i].abs() * 7.0).log2().floor().exp2(),
             (a[i].abs() * 7.0).log2().floor(),
