@@ -72,6 +72,7 @@ fn water(holes: &[Shape], n: f64, pressure: f64, gas: f64, extent: f64) -> World
         pressure: gas,
         polytropic_exponent: 1.4,
         limits: [[0.0, -3.0 * R0], [3.0 * R0, 3.0 * R0]],
+        ends: [[true, false], [false; 2]],
         cell: 0.5 * dx,
     };
     f.gas = Gas::fill(law, &f, &Ghosts::find(&f, &[]));

@@ -1,5 +1,6 @@
 //! One bubble with gas, by particles and by a law of spherical bubbles.
 
+use super::spherical::Spherical;
 use crate::validate::Failure;
 use crate::validate::materials::water;
 use erode_physics::bubble::{self, BubbleModel, BubbleState, Constant, Controls, Liquid, advance};
@@ -36,6 +37,8 @@ pub(super) struct Setting {
     pub(super) extent: f64,
     /// Time simulated, in collapse times 0.915 R0 sqrt(rho/p).
     pub(super) end: f64,
+    /// Thinnest shell of the calculation in one dimension, R0: a thirtieth of the smallest radius or less.
+    pub(super) finest_shell: f64,
 }
 
 /// Radius against time, and what was counted.
@@ -48,6 +51,15 @@ pub(super) struct Swing {
 }
 
 impl Swing {
+    /// A radius known from theory.
+    fn of(curve: Vec<[f64; 2]>) -> Self {
+        Self {
+            curve,
+            defects: Vec::new(),
+            closed: 0,
+        }
+    }
+
     /// Largest defect until a time, p V0.
     pub(super) fn defect(&self, until: f64) -> f64 {
         let all = self.curve.iter().zip(&self.defects);
@@ -133,11 +145,29 @@ impl Setting {
             .map_err(wrong)?;
             curve.push([time, state.radius / R0]);
         }
-        Ok(Swing {
-            curve,
-            defects: Vec::new(),
-            closed: 0,
-        })
+        Ok(Swing::of(curve))
+    }
+
+    /// The radius by the equations of the compressible liquid in one dimension, with shells finer by `refined`.
+    pub(super) fn in_one_dimension(&self, refined: f64) -> Result<Swing, Failure> {
+        let eos = water()?;
+        let end = self.end_time() * 1.1;
+        let gas = (self.gas_pressure, EXPONENT);
+        // Sound is not back from there before the end.
+        let extent = 1.0 + 0.6 * end * eos.sound_speed_at(eos.density(self.pressure)) / R0;
+        let shells = (self.finest_shell / refined, extent);
+        let mut bubble = Spherical::new(eos, self.pressure, gas, shells);
+        let mut curve = Vec::new();
+        while bubble.time * R0 < end {
+            bubble.step();
+            curve.push([bubble.time * R0, bubble.radius]);
+        }
+        if curve.iter().all(|p| p[1].is_finite()) {
+            Ok(Swing::of(curve))
+        } else {
+            let message = "the calculation in one dimension has no finite radius";
+            Err(Failure::Absent(message.into()))
+        }
     }
 
     fn liquid(&self, dx: f64) -> Result<Fluid, Failure> {
@@ -186,6 +216,7 @@ impl Setting {
             pressure: self.gas_pressure,
             polytropic_exponent: EXPONENT,
             limits: [[0.0, -2.0 * R0], [2.0 * R0; 2]],
+            ends: [[true, false], [false; 2]],
             cell: 0.5 * dx,
         };
         f.gas = Gas::fill(law, &f, &Ghosts::find(&f, &[]));
