@@ -1,11 +1,13 @@
 //! Size and shape of a cavity in the liquid.
 //!
-//! The colour c(x) = sum_b A_b W(x - x_b, h_b) is 1 in the liquid and 0 in the void, smeared over the kernel at the surface.
+//! The colour c(x) = sum_b A_b w(x - x_b, R_b) is 1 in the liquid and 0 in the void, smeared over the support R = 2 h at the
+//! surface; w = 5/(pi R^2) (1 - x^2/R^2)^4, which has the support of the kernel of the liquid and its smoothness, and no root.
 //! The integral of 1 - c over the void and its rim is the volume of the void to a small part of a particle, however the
 //! particles at the surface are strained (half a spacing inside the first particle is not: a parcel at the surface of a
 //! collapsing bubble is stretched along the radius).
 
 mod front;
+mod paint;
 
 pub use front::{Front, fronts};
 
@@ -13,7 +15,8 @@ use crate::fluid::Fluid;
 use crate::fluid::ghosts::Ghosts;
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
-use crate::simd::{self, LANES, Simd, Task};
+use crate::simd::{self, LANES};
+use paint::{BAND, Band, Blot, VoidCells};
 use rayon::prelude::*;
 
 /// The part of the plane in which cavities are looked for.
@@ -72,96 +75,6 @@ pub(crate) struct Map {
     pub(crate) voids: Vec<Void>,
 }
 
-/// Rows of cells that one task colours.
-const BAND: usize = 8;
-
-/// What one particle covers.
-struct Blot {
-    x: Vec2,
-    area: f64,
-    h: f64,
-    /// First and last cell in both directions.
-    from: [usize; 2],
-    to: [usize; 2],
-}
-
-impl Blot {
-    /// None if the window has no cell within the support of the kernel.
-    fn new(colour: &Colour, x: Vec2, h: f64, area: impl FnOnce() -> f64) -> Option<Self> {
-        let (w, radius) = (colour.window, kernel::SUPPORT * h);
-        let (mut from, mut to) = ([0; 2], [0; 2]);
-        for k in 0..2 {
-            let size = colour.size[k] as f64;
-            let cell = |v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, size);
-            let (first, last) = (cell(x[k] - radius).ceil(), cell(x[k] + radius).floor());
-            if last < 0.0 || first > size - 1.0 {
-                return None;
-            }
-            from[k] = first.max(0.0) as usize;
-            to[k] = (last as usize).min(colour.size[k] - 1);
-        }
-        (from[0] <= to[0] && from[1] <= to[1]).then(|| Self {
-            x,
-            area: area(),
-            h,
-            from,
-            to,
-        })
-    }
-}
-
-/// Colours the cells of a few rows.
-struct Band<'a> {
-    colour: &'a Colour,
-    blots: &'a [Blot],
-    /// First row.
-    first: usize,
-    cells: &'a mut [f64],
-    /// Cells in a row with those that only fill it up.
-    padded: usize,
-}
-
-impl Task for Band<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        let w = self.colour.window;
-        let last = self.first + self.cells.len() / self.padded - 1;
-        let mut steps = [0.0; LANES];
-        for (i, step) in steps.iter_mut().enumerate() {
-            *step = i as f64 * w.cell;
-        }
-        let steps = S::load(&steps);
-        let near = |b: &&Blot| b.to[1] >= self.first && b.from[1] <= last;
-        for b in self.blots.iter().filter(near) {
-            let scale = S::splat(b.area * kernel::value(0.0, b.h));
-            let inverse = S::splat(1.0 / b.h);
-            for j in b.from[1].max(self.first)..=b.to[1].min(last) {
-                let row = (j - self.first) * self.padded;
-                let dy = S::splat(self.colour.centre(0, j)[1] - b.x[1]);
-                for i in (b.from[0]..=b.to[0]).step_by(LANES) {
-                    let dx = steps + S::splat(self.colour.centre(i, j)[0] - b.x[0]);
-                    let q = dx.mul_add(dx, dy * dy).sqrt() * inverse;
-                    // Cells beyond the support get exactly nothing.
-                    if let Some(cells) = self.cells[row + i..].first_chunk_mut::<LANES>() {
-                        *cells = scale.mul_add(relative(q), S::load(cells)).store();
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Kernel at q = distance/h over that at 0.
-#[inline(always)]
-fn relative<S: Simd>(q: S) -> S {
-    let zero = S::splat(0.0);
-    let t = (S::splat(2.0) - q).max(zero);
-    let u = (S::splat(1.0) - q).max(zero);
-    (t * t * t).mul_add(S::splat(0.25), -(u * u * u))
-}
-
 /// Colour of every cell of a window.
 #[derive(Debug, Clone)]
 pub struct Colour {
@@ -197,8 +110,9 @@ impl Colour {
             })
             .collect();
         colour.add(&blots);
-        let beside_void = (blots.par_iter().with_min_len(256)).filter(|b| colour.touches_void(b));
-        let widest = beside_void.map(|b| b.h).reduce(|| 0.0, f64::max);
+        let voids = VoidCells::of(&colour);
+        let beside_void = blots.iter().filter(|b| voids.meet(b));
+        let widest = beside_void.map(|b| b.h).fold(0.0, f64::max);
         colour.reach = (kernel::SUPPORT * widest / window.cell).ceil() as usize;
         colour
     }
@@ -220,12 +134,6 @@ impl Colour {
         for (own, padded) in self.colour.chunks_mut(row).zip(cells.chunks(padded)) {
             own.copy_from_slice(&padded[..row]);
         }
-    }
-
-    /// Whether the support of a particle reaches into a void.
-    fn touches_void(&self, b: &Blot) -> bool {
-        let row = |j: usize| &self.colour[self.size[0] * j..][b.from[0]..=b.to[0]];
-        (b.from[1]..=b.to[1]).any(|j| row(j).iter().any(|c| *c < 0.5))
     }
 
     fn centre(&self, i: usize, j: usize) -> Vec2 {

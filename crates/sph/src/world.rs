@@ -265,10 +265,10 @@ impl World {
         for (f, sweep) in fluids.zip(sweeps) {
             let sides = f.sides.clone();
             let walls = walls(&sides, &lines);
-            if f.gas.is_some() {
-                f.follow_gas(&sweep.ghosts.refresh(f, &walls));
-            }
-            let reaction = f.push(sweep, &walls, dt, time, clock);
+            let ghosts = sweep.ghosts.refresh(f, &walls);
+            f.follow_gas(&ghosts);
+            clock.lap(Phase::Boundaries);
+            let reaction = f.push(sweep, &ghosts, dt, time, clock);
             f.kick(0.5 * dt);
             clock.lap(Phase::Integrate);
             for (line, sum) in lines.iter().zip(&mut pressures) {

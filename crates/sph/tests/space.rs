@@ -106,20 +106,18 @@ fn spheroid(end: f64) -> [f64; 2] {
 }
 
 #[test]
-fn a_drop_becomes_the_spheroid_of_theory() {
-    // Errors of the half axes: 2.1 % along and 0.9 % across with 8 spacings in the radius.
-    drop_at(8.0, 0.03);
+fn a_drop_becomes_the_spheroid_of_theory_the_closer_the_finer() {
+    let [coarse, fine] = [8.0, 12.0].map(|n| {
+        let error = drop_at(n);
+        // The surface of a drop of cells is uncertain by a quarter of a spacing.
+        assert!(error < 0.25 / n, "{error} with {n} spacings in the radius");
+        error
+    });
+    assert!(fine < coarse, "{fine} after {coarse}");
 }
 
-#[test]
-#[ignore = "convergence of the drop, half a minute"]
-fn a_finer_drop_is_closer() {
-    drop_at(12.0, 0.02);
-    drop_at(16.0, 0.015);
-}
-
-/// `n` spacings in the radius.
-fn drop_at(n: f64, tolerance: f64) {
+/// Largest error of a half axis with `n` spacings in the radius; energy and momentum on the way.
+fn drop_at(n: f64) -> f64 {
     /// A R over the sound speed: nearly incompressible.
     const MACH: f64 = 0.05;
     let radius = n * DX;
@@ -148,12 +146,8 @@ fn drop_at(n: f64, tolerance: f64) {
         (5.0 * moment / fluid.mass.iter().sum::<f64>()).sqrt() / ball
     };
     let found = [0, 1, 2].map(half_axis);
-    for (found, exact) in found.into_iter().zip([across, across, along]) {
-        assert!(
-            (found / exact - 1.0).abs() < tolerance,
-            "{found} for {exact}"
-        );
-    }
+    let errors = (found.into_iter().zip([across, across, along])).map(|(f, exact)| f / exact - 1.0);
+    let worst = errors.map(f64::abs).fold(0.0, f64::max);
     // A quadrant is as good as another.
     assert!((found[0] / found[1] - 1.0).abs() < 1e-3);
     let after = fluid.kinetic_energy() + fluid.compression_energy() + fluid.account.dissipation;
@@ -177,11 +171,15 @@ fn drop_at(n: f64, tolerance: f64) {
             .sum();
         assert!(momentum.abs() < 1e-3 * speed * fluid.mass.iter().sum::<f64>());
     }
+    worst
 }
 
-/// A standing wave in a closed channel: cos(pi x/L) with the frequency of sound.
-fn standing_wave(formulation: Formulation, tolerance: f64) {
+/// A standing wave in a closed channel: cos(pi x/L) with the frequency of sound, damped by a `viscosity` in units of c times the
+/// spacing.
+fn standing_wave(formulation: Formulation, viscosity: f64) {
     const N: [usize; 3] = [48, 6, 6];
+    // 24 spacings per radian of the wave: sums of second order are right to a few thousandths.
+    const TOLERANCE: f64 = 0.01;
     let mut fluid = liquid(&cells(N, |_| true), WATER, 20e6, formulation);
     enclose(&mut fluid, N);
     let length = N[0] as f64 * DX;
@@ -203,7 +201,13 @@ fn standing_wave(formulation: Formulation, tolerance: f64) {
         amplitude += 2.0 * fluid.velocity[a][0] * along / fluid.len() as f64;
         assert!(fluid.velocity[a][1].abs() + fluid.velocity[a][2].abs() < 0.02 * speed);
     }
-    assert!((amplitude / speed - 1.0).abs() < tolerance, "{amplitude}");
+    // A wave of number k under the viscosity nu loses the share nu k^2/2 per time.
+    let damping = 0.5 * (std::f64::consts::PI / N[0] as f64).powi(2) * 0.5 * N[0] as f64;
+    let expected = speed * (-viscosity * damping).exp();
+    assert!(
+        (amplitude / expected - 1.0).abs() < TOLERANCE,
+        "{amplitude} for {expected}"
+    );
     if formulation != CORRECTED {
         // A lattice has a summation density of its own, by some MPa.
         return;
@@ -213,18 +217,18 @@ fn standing_wave(formulation: Formulation, tolerance: f64) {
         .iter()
         .map(|p| (p - 20e6).abs())
         .fold(0.0, f64::max);
-    assert!(pressure < 2.0 * tolerance * impedance * speed, "{pressure}");
+    assert!(pressure < 2.0 * TOLERANCE * impedance * speed, "{pressure}");
 }
 
 #[test]
 fn sound_swings_between_pressure_and_velocity() {
-    standing_wave(CORRECTED, 0.02);
+    standing_wave(CORRECTED, 0.0);
 }
 
 #[test]
 fn sound_in_the_published_form() {
-    // Its viscosity (alpha = 1) damps: 48 spacings in half a wave.
-    standing_wave(Formulation::Joshi(joshi::Settings::default()), 0.25);
+    // The artificial viscosity with alpha = 1 is one of 3 alpha c h/10 along a wave in three dimensions.
+    standing_wave(Formulation::Joshi(joshi::Settings::default()), 0.3 * 1.3);
 }
 
 #[test]
@@ -295,7 +299,7 @@ fn widths_and_threads_do_not_change_a_bit() {
 }
 
 #[test]
-fn mass_momentum_and_energy_are_accounted_for() {
+fn mass_and_energy_are_accounted_for() {
     let mut fluid = liquid(&cells([14; 3], |_| true), WATER, 1e6, CORRECTED);
     enclose(&mut fluid, [14; 3]);
     let mut fluid = swirling(fluid, 14);

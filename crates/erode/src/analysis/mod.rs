@@ -21,7 +21,7 @@ pub use energy::{
 };
 pub use jet::half_width;
 pub use line::crossing;
-pub use order::{Extrapolated, extrapolate, power_law};
+pub use order::{Extrapolated, error_bar, extrapolate, power_law};
 pub use plastic_zone::{YIELDED, along_level, largest_in_column, zone_depth};
 pub use shock_front::{Front, followed_above, front, front_position, front_speed};
 pub use times::{FALL, RISE, above_step, loading_time, material_time};

@@ -69,9 +69,43 @@ pub fn extrapolate([fine, middle, coarse]: [[f64; 2]; 3]) -> Option<Extrapolated
     })
 }
 
+/// Orders that an error bar may rest on: below, the extrapolation runs away; above the formal order of two, and some scatter, it
+/// is an accident of three values.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
+
+/// Error bar of the finest of at least three values (spacing, value), finest first: that of [`extrapolate`] with a plausible order,
+/// otherwise three times the range of the values (Eca and Hoekstra 2014, for data without an order). None from fewer values.
+#[must_use]
+pub fn error_bar(known: &[[f64; 2]]) -> Option<f64> {
+    let three = <[[f64; 2]; 3]>::try_from(known.get(..3)?).ok()?;
+    if let Some(found) = extrapolate(three)
+        && PLAUSIBLE.contains(&found.order)
+    {
+        return Some(found.error);
+    }
+    let range = (three.iter().map(|p| p[1]))
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| {
+            [l.min(v), h.max(v)]
+        });
+    Some(3.0 * (range[1] - range[0]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_without_an_order_get_three_times_their_range() {
+        let smooth = [1.0, 1.5, 2.0].map(|h: f64| [h, 3.0 + h * h]);
+        let bar = error_bar(&smooth).unwrap();
+        assert!((bar - 1.25).abs() < 1e-9, "{bar}");
+        assert_eq!(error_bar(&[[1.0, 5.0], [2.0, 6.0], [3.0, 5.5]]), Some(3.0));
+        // Differences that hardly shrink: the extrapolation would be far away.
+        let slow = [[1.0, 5.0], [2.0, 6.0], [4.0, 7.1]];
+        assert!(extrapolate(slow).unwrap().order < 0.5);
+        assert!((error_bar(&slow).unwrap() - 6.3).abs() < 1e-12);
+        assert_eq!(error_bar(&slow[..2]), None);
+    }
 
     #[test]
     fn the_cube_of_the_radius() {

@@ -280,6 +280,9 @@ pub(crate) struct ReproduceArgs {
     /// Write the results to a file
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
+    /// Write reproduction.md and its figures into a folder, such as docs
+    #[arg(long, value_name = "DIR")]
+    pub(crate) markdown: Option<PathBuf>,
 }
 
 /// `erode bench`

@@ -41,6 +41,15 @@ pub(crate) fn run(args: &ReproduceArgs) -> Outcome {
         without += outcome.without_data();
         outcomes.push(reproduced.outcome);
     }
+    if let Some(folder) = &args.markdown {
+        validate::write_markdown(
+            folder,
+            &reproduce::document(),
+            &outcomes,
+            env!("CARGO_PKG_VERSION"),
+            &validate::today(),
+        )?;
+    }
     let ended = conclude(interrupted, missed, without);
     json::write_and_end(args.json.as_deref(), &outcomes, ended)
 }

@@ -30,6 +30,7 @@ pub(crate) fn run(args: &ValidateArgs) -> Outcome {
     if let Some(folder) = &args.markdown {
         validate::write_markdown(
             folder,
+            &validate::Document::validation(),
             &outcomes,
             env!("CARGO_PKG_VERSION"),
             &validate::today(),

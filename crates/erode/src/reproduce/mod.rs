@@ -13,7 +13,7 @@ pub use session::{Judged, Options, Session};
 pub use write::write;
 
 use crate::sweep::{Picture, SweepError};
-use crate::validate::{Check, Failure, Finding, Outcome};
+use crate::validate::{Check, Document, Failure, Finding, Outcome};
 use session::Need;
 use std::time::Instant;
 use thiserror::Error;
@@ -58,6 +58,21 @@ pub struct Reproduced {
 #[must_use]
 pub fn all() -> Vec<Reproduction> {
     [&peters::ALL[..], &peters_vortex::ALL[..], &joshi::ALL[..]].concat()
+}
+
+/// `docs/reproduction.md`: what came of all of them.
+#[must_use]
+pub fn document() -> Document {
+    Document {
+        name: "reproduction",
+        head: "# Figures and tables of the sources, computed again\n\
+             Written by `erode reproduce --markdown`, not by hand; what is not run keeps its last result. `reference` is what the \
+             source states, or a\nbound that its words set (the last column says which); `shown` stands beside it without being \
+             judged. A statement that is missed stays here\nwith its cause: nothing is tuned to it.\n",
+        subject: "figure or table",
+        order: all().iter().map(|r| r.id).collect(),
+        prefixed: true,
+    }
 }
 
 /// No such reproduction.

@@ -1,6 +1,6 @@
-//! `docs/validation.md`: the outcomes as tables of a document.
+//! `docs/validation.md` and `docs/reproduction.md`: outcomes as tables of a document.
 
-use super::{ALL, Check, Kind, Outcome, number};
+use super::{ALL, Check, Figure, Kind, Outcome, number};
 use crate::output::OutputError;
 use crate::output::atomic::write_atomic;
 use std::fmt::Write;
@@ -8,10 +8,48 @@ use std::fs::create_dir_all;
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Folder of the figures beside the document.
-const FIGURES: &str = "validation";
+/// A document with outcomes, and a folder of the same name with their figures.
+#[derive(Debug, Clone)]
+pub struct Document {
+    /// Name without ending, `validation`.
+    pub name: &'static str,
+    /// First lines, with the title.
+    pub head: &'static str,
+    /// What its outcomes are.
+    pub subject: &'static str,
+    /// Names of all that may stand in it, in their order.
+    pub order: Vec<&'static str>,
+    /// Whether figures of different outcomes may have the same name.
+    pub prefixed: bool,
+}
 
-/// One validation in the document.
+impl Document {
+    /// That of `erode validate`.
+    #[must_use]
+    pub fn validation() -> Self {
+        Self {
+            name: "validation",
+            head: "# Validation\n\
+                 Written by `erode validate --markdown`, not by hand; what is not run keeps its last result. Errors are relative in \
+                 percent where\nthe tolerance is, otherwise in the unit of the quantity. `shown` stands beside its reference \
+                 without being judged.\n",
+            subject: "validation",
+            order: ALL.iter().map(|v| v.name).collect(),
+            prefixed: false,
+        }
+    }
+
+    /// File name of a figure, without ending.
+    fn figure(&self, o: &Outcome, figure: &Figure) -> String {
+        if self.prefixed {
+            format!("{}-{}", o.name, figure.name)
+        } else {
+            figure.name.clone()
+        }
+    }
+}
+
+/// One outcome in the document.
 #[derive(Debug, Clone, PartialEq)]
 struct Entry {
     name: String,
@@ -21,7 +59,7 @@ struct Entry {
 }
 
 impl Entry {
-    fn of(o: &Outcome, version: &str, date: &str) -> Self {
+    fn of(document: &Document, o: &Outcome, version: &str, date: &str) -> Self {
         let judged = (o.finding.checks.iter()).filter(|c| c.kind != Kind::Shown);
         let form = if o.quick { "quick" } else { "full" };
         let row = format!(
@@ -32,7 +70,7 @@ impl Entry {
             o.seconds
         );
         let mut out = String::new();
-        section(&mut out, o);
+        section(&mut out, document, o);
         Self {
             name: o.name.clone(),
             row,
@@ -40,7 +78,7 @@ impl Entry {
         }
     }
 
-    /// The validations of a document that [`document`] wrote; nothing of any other text.
+    /// The outcomes of a document that [`text`] wrote; nothing of any other text.
     fn all_of(text: &str) -> Vec<Self> {
         let mut sections = text.split("\n## ");
         let head = sections.next().unwrap_or_default();
@@ -60,23 +98,26 @@ impl Entry {
 }
 
 /// The document: what was run now, then in place what an earlier document holds of the others.
-fn document(outcomes: &[Outcome], earlier: &str, version: &str, date: &str) -> String {
+fn text(
+    document: &Document,
+    outcomes: &[Outcome],
+    earlier: &str,
+    version: &str,
+    date: &str,
+) -> String {
     let mut entries: Vec<Entry> = (outcomes.iter())
-        .map(|o| Entry::of(o, version, date))
+        .map(|o| Entry::of(document, o, version, date))
         .collect();
     for kept in Entry::all_of(earlier) {
         if entries.iter().all(|e| e.name != kept.name) {
             entries.push(kept);
         }
     }
-    let order = |e: &Entry| (ALL.iter().position(|v| v.name == e.name)).unwrap_or(ALL.len());
-    entries.sort_by_key(order);
-    let mut out = String::from(
-        "# Validation\n\
-         Written by `erode validate --markdown`, not by hand; what is not run keeps its last result. Errors are relative in \
-         percent where\nthe tolerance is, otherwise in the unit of the quantity. `shown` stands beside its reference \
-         without being judged.\n\n\
-         | validation | form | checks | missed | wall time | version, date |\n| --- | --- | --- | --- | --- | --- |\n",
+    let all = &document.order;
+    entries.sort_by_key(|e| (all.iter().position(|name| *name == e.name)).unwrap_or(all.len()));
+    let mut out = format!(
+        "{}\n| {} | form | checks | missed | wall time | version, date |\n| --- | --- | --- | --- | --- | --- |\n",
+        document.head, document.subject
     );
     for e in &entries {
         let _ = writeln!(out, "{}", e.row);
@@ -87,7 +128,7 @@ fn document(outcomes: &[Outcome], earlier: &str, version: &str, date: &str) -> S
     out
 }
 
-fn section(out: &mut String, o: &Outcome) {
+fn section(out: &mut String, document: &Document, o: &Outcome) {
     let _ = write!(
         out,
         "\n## {}\n{}\n\nReference: {}\n",
@@ -109,7 +150,8 @@ fn section(out: &mut String, o: &Outcome) {
         let _ = write!(out, "\n{note}\n");
     }
     for f in &o.finding.figures {
-        let _ = write!(out, "\n![{}]({FIGURES}/{}.svg)\n", f.title, f.name);
+        let (folder, name) = (document.name, document.figure(o, f));
+        let _ = write!(out, "\n![{}]({folder}/{name}.svg)\n", f.title);
     }
 }
 
@@ -131,33 +173,34 @@ fn row(out: &mut String, c: &Check) {
     );
 }
 
-/// Writes `validation.md` and its figures into `folder`, for example `docs`. Of an earlier `validation.md` there the
-/// validations that were not run now are kept.
+/// Writes the document and its figures into `folder`, for example `docs`. Of an earlier one there the outcomes that are not
+/// among the new ones are kept.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn write_markdown(
     folder: &Path,
+    document: &Document,
     outcomes: &[Outcome],
     version: &str,
     date: &str,
 ) -> Result<(), OutputError> {
-    let figures = folder.join(FIGURES);
+    let figures = folder.join(document.name);
     create_dir_all(&figures).map_err(|cause| OutputError::NotWritable {
         path: figures.clone(),
         cause,
     })?;
     let write = |path: &Path, text: &str| write_atomic(path, |f| f.write_all(text.as_bytes()));
-    for figure in outcomes.iter().flat_map(|o| &o.finding.figures) {
-        write(
-            &figures.join(format!("{}.svg", figure.name)),
-            &figure.to_svg(),
-        )?;
+    for o in outcomes {
+        for figure in &o.finding.figures {
+            let name = document.figure(o, figure);
+            write(&figures.join(format!("{name}.svg")), &figure.to_svg())?;
+        }
     }
-    let path = folder.join("validation.md");
+    let path = folder.join(format!("{}.md", document.name));
     // No earlier document, or one that cannot be read as text: nothing to keep.
     let earlier = std::fs::read_to_string(&path).unwrap_or_default();
-    write(&path, &document(outcomes, &earlier, version, date))
+    write(&path, &text(document, outcomes, &earlier, version, date))
 }
 
 /// Today's date (UTC) as year-month-day.
@@ -233,6 +276,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         write_markdown(
             folder.path(),
+            &Document::validation(),
             std::slice::from_ref(&outcome),
             "0.1.0",
             "2025-12-31",
@@ -252,7 +296,14 @@ mod tests {
             name: "other-case".into(),
             ..outcome
         };
-        write_markdown(folder.path(), &[other], "0.2.0", "2026-01-01").unwrap();
+        write_markdown(
+            folder.path(),
+            &Document::validation(),
+            &[other],
+            "0.2.0",
+            "2026-01-01",
+        )
+        .unwrap();
         let both = std::fs::read_to_string(folder.path().join("validation.md")).unwrap();
         let first = text.split("\n## ").nth(1).unwrap().trim_end();
         assert!(

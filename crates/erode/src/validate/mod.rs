@@ -34,7 +34,7 @@ mod taylor_bar;
 pub use check::{Check, Kind};
 pub use error::{Failure, ValidateError};
 pub use figure::{Curve, Figure, Style};
-pub use markdown::{today, write_markdown};
+pub use markdown::{Document, today, write_markdown};
 pub use table::text;
 
 use serde::Serialize;

@@ -41,12 +41,26 @@ impl Tait {
         self.sound_speed * power(density / self.reference_density, 0.5 * (self.gamma - 1.0))
     }
 
+    /// The same from the pressure (Pa) that goes with the density, c^2 = gamma (p + B)/rho: without a power.
+    #[must_use]
+    pub fn sound_speed_of(&self, density: f64, pressure: f64) -> f64 {
+        (self.gamma * (pressure + self.modulus()) / density).sqrt()
+    }
+
     /// Energy (J/kg) stored by compression from zero pressure: integral of p/rho^2 drho.
     #[must_use]
     pub fn specific_energy(&self, density: f64) -> f64 {
         let x = density / self.reference_density;
         self.modulus() / self.reference_density
             * ((power(x, self.gamma - 1.0) - 1.0) / (self.gamma - 1.0) + 1.0 / x - 1.0)
+    }
+
+    /// The same from the pressure (Pa) that goes with the density: without a power.
+    #[must_use]
+    pub fn specific_energy_of(&self, density: f64, pressure: f64) -> f64 {
+        let (b, rest) = (self.modulus(), self.reference_density / density);
+        let power = (pressure / b + 1.0) * rest;
+        b / self.reference_density * ((power - 1.0) / (self.gamma - 1.0) + rest - 1.0)
     }
 
     /// Velocity change (m/s) across a simple wave from zero pressure to `density`:
@@ -110,6 +124,21 @@ mod tests {
             let slope = (WATER.pressure(rho + d) - WATER.pressure(rho - d)) / (2.0 * d);
             let c = WATER.sound_speed_at(rho);
             assert!((slope / (c * c) - 1.0).abs() < 1e-7);
+        }
+    }
+
+    #[test]
+    fn a_known_pressure_saves_the_power() {
+        let eos = Tait {
+            gamma: 7.15,
+            ..WATER
+        };
+        for rho in [1000.0, 1001.0, 1100.0, 1800.0] {
+            let p = eos.pressure(rho);
+            let (c, e) = (eos.sound_speed_at(rho), eos.specific_energy(rho));
+            assert!((eos.sound_speed_of(rho, p) / c - 1.0).abs() < 1e-14);
+            // Two numbers of the size of B/rho0 leave what is small beside them.
+            assert!((eos.specific_energy_of(rho, p) - e).abs() < 1e-14 * c * c);
         }
     }
 

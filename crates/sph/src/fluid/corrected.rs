@@ -7,6 +7,7 @@ use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum, shifting};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Numerical settings of the corrected formulation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -56,7 +57,7 @@ pub struct Account {
 }
 
 impl<const D: usize> Fluid<D> {
-    /// Volume of one step; exchange of volume by shifting. Returns the shifting velocities, m/s.
+    /// Volume of one step, with what else the first sweep found; exchange of volume by shifting. Returns the shifting velocities, m/s.
     pub(crate) fn exchange_volume(
         &mut self,
         s: &Settings,
@@ -64,26 +65,31 @@ impl<const D: usize> Fluid<D> {
         dt: f64,
     ) -> Vec<[f64; D]> {
         let found = &*sweep;
-        let work = |a: usize| self.pressure[a] * found.kinematics(a).exchange;
-        self.account.dissipation += dt * ordered_sum(self.len(), work);
         let (mass, density) = (&self.mass, self.eos.reference_density);
-        let parted = (self.volume.par_iter_mut().enumerate())
+        let (pressure, h) = (&self.pressure, &self.smoothing_length);
+        let parted = AtomicU64::new(0);
+        let (mut shift, mut work) = (Vec::new(), Vec::new());
+        (self.volume.par_iter_mut())
+            .zip(&mut self.support)
+            .zip(&mut self.strain_rate)
+            .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, volume)| {
+            .map(|(a, ((volume, support), strain_rate))| {
                 let k = found.kinematics(a);
+                *support = k.support;
+                *strain_rate = shifting::norm(&k.gradient);
                 *volume *= (dt * (k.divergence + k.exchange / *volume)).exp();
                 let largest = swelling(k.support) * mass[a] / density;
-                let parts = *volume > largest;
-                if parts {
+                if *volume > largest {
                     *volume = largest;
+                    parted.fetch_add(1, Ordering::Relaxed);
                 }
-                u64::from(parts)
-            });
-        self.account.parted += parted.sum::<u64>();
-        let shift: Vec<[f64; D]> = (self.smoothing_length.par_iter().enumerate())
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, h)| shifting::velocity(*h, found.kinematics(a), s))
-            .collect();
+                let shift = shifting::velocity(h[a], *strain_rate, k, s);
+                (shift, pressure[a] * k.exchange)
+            })
+            .unzip_into_vecs(&mut shift, &mut work);
+        self.account.parted += parted.into_inner();
+        self.account.dissipation += dt * ordered_sum(work.len(), |a| work[a]);
         shifting::exchange(self, sweep, &shift, dt);
         shift
     }

@@ -73,6 +73,11 @@ pub trait Wall<const D: usize = 2>: Sync {
     /// Tangent plane at the foot of `x`; none when `x` is farther away than `reach`.
     fn plane(&self, x: [f64; D], reach: f64) -> Option<Plane<D>>;
 
+    /// Whether there is such a plane.
+    fn is_near(&self, x: [f64; D], reach: f64) -> bool {
+        self.plane(x, reach).is_some()
+    }
+
     /// Whether it belongs to a body that the liquid pushes.
     fn is_surface(&self) -> bool {
         false
@@ -106,7 +111,11 @@ impl Shadow {
 
 impl<const D: usize> Wall<D> for Plane<D> {
     fn plane(&self, x: [f64; D], reach: f64) -> Option<Self> {
-        (self.distance(x) < reach).then_some(*self)
+        self.is_near(x, reach).then_some(*self)
+    }
+
+    fn is_near(&self, x: [f64; D], reach: f64) -> bool {
+        self.distance(x) < reach
     }
 }
 
@@ -146,15 +155,21 @@ impl<const D: usize> Ghosts<D> {
     #[must_use]
     pub fn find(fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) -> Self {
         let mut ghosts = Self::default();
+        let shadows: Vec<_> = walls.iter().map(|wall| wall.shadow()).collect();
+        let place = |a: usize| (fluid.position[a], REACH * fluid.smoothing_length[a]);
+        let near = |a: usize| {
+            let (x, reach) = place(a);
+            (walls.iter().zip(&shadows)).any(|(wall, shadow)| {
+                !shadow.is_some_and(|s| s.is_clear(x, reach)) && wall.is_near(x, reach)
+            })
+        };
+        let candidates = select(fluid, near);
         for (w, wall) in walls.iter().enumerate() {
-            let shadow = wall.shadow();
-            let near = |a: usize| {
-                let (x, reach) = (fluid.position[a], REACH * fluid.smoothing_length[a]);
-                let clear = shadow.is_some_and(|s| s.is_clear(x, reach));
-                if clear { None } else { wall.plane(x, reach) }
-            };
-            for (a, plane) in select(fluid, near) {
-                ghosts.push(a, plane, w as u32, wall.is_surface());
+            for &a in &candidates {
+                let (x, reach) = place(a as usize);
+                if let Some(plane) = wall.plane(x, reach) {
+                    ghosts.push(a as usize, plane, w as u32, wall.is_surface());
+                }
             }
         }
         ghosts.mirror_corners(fluid, walls);
@@ -167,7 +182,7 @@ impl<const D: usize> Ghosts<D> {
     /// Particles and the ghosts so far, mirrored at the axis.
     fn mirror_axis(&mut self, fluid: &Fluid<D>) {
         let n = fluid.len();
-        let near = |x: [f64; D], h: f64| (x[0] < REACH * h).then_some(Plane::AXIS);
+        let near = |x: [f64; D], h: f64| x[0] < REACH * h;
         let own = select(fluid, |a| {
             near(fluid.position[a], fluid.smoothing_length[a])
         });
@@ -180,13 +195,13 @@ impl<const D: usize> Ghosts<D> {
             };
             images.push(plane.mirror(x));
         }
-        for (a, plane) in own {
-            self.push(a, plane, AXIS, false);
+        for a in own {
+            self.push(a as usize, Plane::AXIS, AXIS, false);
         }
         for (k, x) in images.into_iter().enumerate() {
             let h = fluid.smoothing_length[self.particle(n, n + k)];
-            if let Some(plane) = near(x, h) {
-                self.push(n + k, plane, self.wall[k], self.surface[k]);
+            if near(x, h) {
+                self.push(n + k, Plane::AXIS, self.wall[k], self.surface[k]);
             }
         }
     }
@@ -265,11 +280,8 @@ impl<const D: usize> Ghosts<D> {
     }
 }
 
-/// Particles of which `plane` finds one, in the order of the clusters.
-fn select<const D: usize>(
-    fluid: &Fluid<D>,
-    plane: impl Fn(usize) -> Option<Plane<D>> + Sync,
-) -> Vec<(usize, Plane<D>)> {
+/// Particles that are `wanted`, in the order of the clusters.
+fn select<const D: usize>(fluid: &Fluid<D>, wanted: impl Fn(usize) -> bool + Sync) -> Vec<u32> {
     let n = fluid.len();
     let order = &fluid.clustering.order;
     let at = |i: usize| {
@@ -282,6 +294,7 @@ fn select<const D: usize>(
     (0..n)
         .into_par_iter()
         .with_min_len(PARTICLES_PER_TASK)
-        .filter_map(|i| plane(at(i)).map(|p| (at(i), p)))
+        .map(|i| at(i) as u32)
+        .filter(|a| wanted(*a as usize))
         .collect()
 }

@@ -98,7 +98,7 @@ fn particle<const D: usize>(fluid: &Fluid<D>, a: usize) -> Particle<D> {
         velocity: fluid.velocity[a],
         pressure: fluid.pressure[a],
         half_push: fluid.acceleration[a].map(|x| 0.5 * density * x),
-        half_impedance: 0.5 * density * fluid.eos.sound_speed_at(density),
+        half_impedance: 0.5 * density * fluid.sound_speed(a),
         half_ring: half_ring(fluid.geometry, position[0]),
     }
 }

@@ -118,8 +118,15 @@ pub struct Start<'a, const D: usize = 2> {
 
 impl<const D: usize> Fluid<D> {
     /// Liquid in uniform pressure and motion.
+    ///
+    /// # Panics
+    /// If it is axisymmetric in other than two dimensions.
     #[must_use]
     pub fn new(start: &Start<D>) -> Self {
+        assert!(
+            D == 2 || start.geometry == Geometry::Plane,
+            "a liquid in three dimensions has no rings"
+        );
         let n = start.position.len();
         let density = start.eos.density(start.pressure);
         let volume: Vec<f64> = (0..n)
@@ -174,7 +181,9 @@ impl<const D: usize> Fluid<D> {
         let walls: Vec<&dyn Wall<D>> = sides.iter().map(|p| p as &dyn Wall<D>).collect();
         clock.start();
         let sweep = self.advance_positions(&walls, dt, clock);
-        self.push(sweep, &walls, dt, time + dt, clock);
+        let ghosts = sweep.ghosts.refresh(self, &walls);
+        clock.lap(Phase::Boundaries);
+        self.push(sweep, &ghosts, dt, time + dt, clock);
         self.kick(0.5 * dt);
         clock.lap(Phase::Integrate);
     }
@@ -195,6 +204,17 @@ impl<const D: usize> Fluid<D> {
     #[must_use]
     pub fn area(&self, a: usize) -> f64 {
         self.volume[a] / self.geometry.ring(self.position[a][0])
+    }
+
+    /// Sound speed of particle `a`, m/s.
+    #[must_use]
+    pub fn sound_speed(&self, a: usize) -> f64 {
+        let (density, pressure) = (self.density(a), self.pressure[a]);
+        if pressure > 0.0 {
+            self.eos.sound_speed_of(density, pressure)
+        } else {
+            self.eos.sound_speed_at(density)
+        }
     }
 
     /// Area that particle `a` fills with liquid, m2: summation density is low at a free surface, and what is below the
@@ -264,7 +284,7 @@ impl<const D: usize> Fluid<D> {
                     crossings[0] += 1;
                 }
                 for (wall, shadow) in &walls {
-                    if shadow.is_some_and(|s| s.is_clear(*x, 0.0)) {
+                    if shadow.is_some_and(|s| s.is_clear(*x, 0.0)) || !wall.is_near(*x, 0.0) {
                         continue;
                     }
                     if let Some(plane) = wall.plane(*x, 0.0) {
@@ -284,7 +304,7 @@ impl<const D: usize> Fluid<D> {
     #[must_use]
     pub fn stable_time_step(&self, safety: f64) -> (f64, usize) {
         let of = |a: usize| {
-            let c = self.eos.sound_speed_at(self.density(a));
+            let c = self.sound_speed(a);
             let speed = length(self.velocity[a]);
             (safety * self.smoothing_length[a] / (c + speed), a)
         };
@@ -334,24 +354,31 @@ fn compression_energy(eos: &Tait, mass: f64, volume: f64) -> f64 {
     mass * eos.specific_energy((mass / volume).max(eos.reference_density))
 }
 
-/// Both energies of a particle, J.
-fn energy<const D: usize>(eos: &Tait, mass: f64, volume: f64, velocity: [f64; D]) -> f64 {
-    kinetic_energy(mass, velocity) + compression_energy(eos, mass, volume)
-}
-
 /// Fewest particles that are worth a task of their own.
 pub(crate) const PARTICLES_PER_TASK: usize = 512;
 
 /// Sum over particles 0 to `n`: blocks of fixed size, added in their order, so that it is the same bits for any number of
 /// threads.
 pub(crate) fn ordered_sum(n: usize, of: impl Fn(usize) -> f64 + Sync) -> f64 {
-    let block = |b: usize| -> f64 {
+    let [sum] = ordered_sums(n, |a| [of(a)]);
+    sum
+}
+
+/// Several such sums in one pass.
+pub(crate) fn ordered_sums<const N: usize>(
+    n: usize,
+    of: impl Fn(usize) -> [f64; N] + Sync,
+) -> [f64; N] {
+    let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|i| sum[i] + x[i]);
+    let block = |b: usize| {
         let begin = b * PARTICLES_PER_TASK;
-        (begin..n.min(begin + PARTICLES_PER_TASK)).map(&of).sum()
+        (begin..n.min(begin + PARTICLES_PER_TASK))
+            .map(&of)
+            .fold([0.0; N], add)
     };
-    let blocks: Vec<f64> = (0..n.div_ceil(PARTICLES_PER_TASK))
+    let blocks: Vec<[f64; N]> = (0..n.div_ceil(PARTICLES_PER_TASK))
         .into_par_iter()
         .map(block)
         .collect();
-    blocks.iter().sum()
+    blocks.into_iter().fold([0.0; N], add)
 }

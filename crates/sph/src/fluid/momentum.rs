@@ -98,15 +98,14 @@ fn particle<const D: usize>(
     outside: f64,
     a: usize,
 ) -> Particle<D> {
-    let density = fluid.density(a);
     Particle {
         position: fluid.position[a],
         h: fluid.smoothing_length[a],
         area: fluid.area(a),
         velocity,
         pressure: fluid.pressure[a],
-        half_density: 0.5 * density,
-        half_sound_speed: 0.5 * fluid.eos.sound_speed_at(density),
+        half_density: 0.5 * fluid.density(a),
+        half_sound_speed: 0.5 * fluid.sound_speed(a),
         half_gradient: k.gradient.map(|row| row.map(|x| 0.5 * x)),
         outside,
     }

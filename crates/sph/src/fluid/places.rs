@@ -18,12 +18,9 @@ use rayon::prelude::*;
 const STALE: f64 = 1.1;
 
 /// Room in the lists for the change of h and for shifting within a step of dt, in units of h: the first at rest, the second
-/// times |grad v| dt of the last step (shifting moves a particle by up to 2 h |grad v| dt, and h changes by less than half of
-/// h |grad v| dt). Motion comes on top. A pair that comes in farther out is missed where its kernel is next to nothing.
+/// times |grad v| dt of the last step. Shifting moves a particle by up to 2 h |grad v| dt (with `shifting_limit` 2), and h changes by
+/// less than half of h |grad v| dt: 2.5, and more for a rate that grows from one step to the next. Motion comes on top.
 const ROOM: (f64, f64) = (0.005, 4.0);
-
-/// Most room, in units of h.
-const MOST_ROOM: f64 = 0.1;
 
 /// Which eight particles make a cluster. Results depend on it in the last bits: part of a checkpoint.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -78,7 +75,7 @@ impl Clustering {
 impl<const D: usize> Fluid<D> {
     /// Half of the support of particle `a` with room for what a step of `dt` may bring, m.
     fn reach(&self, a: usize, dt: f64) -> f64 {
-        let room = (ROOM.0 + ROOM.1 * self.strain_rate[a] * dt).min(MOST_ROOM);
+        let room = ROOM.0 + ROOM.1 * self.strain_rate[a] * dt;
         (1.0 + room) * self.smoothing_length[a] + 0.5 * dt * length(self.velocity[a])
     }
 
@@ -227,14 +224,15 @@ impl<const D: usize> Places<D> {
         &self,
         law: &L,
         ghosts: &Ghosts<D>,
-        change: impl Fn(usize, &mut L::Particle) -> bool,
+        change: impl Fn(usize, &mut L::Particle) -> bool + Sync,
         image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
         sums: &mut Sums<L::Particle, L::Result>,
     ) {
         let mut marked = vec![false; self.total];
-        for (place, &a) in self.order.iter().enumerate() {
-            marked[place] = change(a as usize, &mut sums.records[place]);
-        }
+        (marked.par_iter_mut().zip(&mut sums.records))
+            .zip(&self.order)
+            .with_min_len(PARTICLES_PER_TASK)
+            .for_each(|((marked, record), &a)| *marked = change(a as usize, record));
         for (k, &place) in self.of_ghost.iter().enumerate() {
             let source = self.source_place(ghosts, k);
             if marked[source] {

@@ -17,11 +17,12 @@ use crate::fluid::moments::Matrix;
 use crate::fluid::pair::{Pair, dot, half_ring, plus};
 use crate::fluid::places::{self, Places};
 use crate::fluid::step::Sweep;
-use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK, compression_energy, kinetic_energy, ordered_sum};
 use crate::geometry::{self, Geometry, length};
 use crate::neighbours::pair_sum::{PairSum, Record, record};
 use crate::simd::Simd;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Below this eigenvalue of the moment matrix a particle lies at a free surface and is not moved across it.
 const SURFACE: f64 = 0.6;
@@ -32,9 +33,13 @@ const LARGEST_SHARE: f64 = 0.1;
 /// Rate of levelling of areas in units of |grad v|; 3 and 20 serve as well.
 const LEVELLING: f64 = 10.0;
 
-/// Shifting velocity of a particle with smoothing length `h`, m/s.
-pub(crate) fn velocity<const D: usize>(h: f64, k: &Kinematics<D>, s: &Settings) -> [f64; D] {
-    let strain = norm(&k.gradient);
+/// Shifting velocity of a particle with smoothing length `h` and the norm `strain` of its velocity gradient, m/s.
+pub(crate) fn velocity<const D: usize>(
+    h: f64,
+    strain: f64,
+    k: &Kinematics<D>,
+    s: &Settings,
+) -> [f64; D] {
     let mut d = k.crowding.map(|c| -s.shifting * h * h * strain * c);
     let size = length(k.crowding);
     if k.support < SURFACE && size > 0.0 {
@@ -108,13 +113,13 @@ pub(crate) fn exchange<const D: usize>(
     let image = |plane: &Plane<D>, p| image(geometry, plane, p);
     places.sum(&law, ghosts, |a| particle(fluid, shift, a), image, memory);
     let most = |a: usize| LARGEST_SHARE * fluid.volume[a];
-    let given: Vec<f64> = (0..fluid.len())
+    let particles = (0..fluid.len())
         .into_par_iter()
-        .with_min_len(PARTICLES_PER_TASK)
-        .map(|a| -memory.results[places.of(a)].given)
-        .collect();
-    let limited = (0..fluid.len()).filter(|a| given[*a] > most(*a)).count();
+        .with_min_len(PARTICLES_PER_TASK);
+    let given = |a: usize| -memory.results[places.of(a)].given;
+    let limited = particles.clone().filter(|a| given(*a) > most(*a)).count();
     if limited > 0 {
+        let given: Vec<f64> = particles.map(given).collect();
         let limit = |a: usize, p: &mut Particle<D>| {
             let limited = given[a] > most(a);
             if limited {
@@ -129,27 +134,40 @@ pub(crate) fn exchange<const D: usize>(
 }
 
 impl<const D: usize> Fluid<D> {
-    /// Volume, mass and velocity with what was gained; kinetic energy lost in the mixing goes to the account.
+    /// Volume, mass and velocity with what was gained, and the pressure that goes with them; energy lost in the mixing goes to
+    /// the account.
     fn take(&mut self, gains: &[Gain<D>], places: &Places<D>) {
         let eos = self.eos;
+        let cavitating = AtomicU64::new(0);
         let loss: Vec<f64> = (self.velocity.par_iter_mut())
             .zip(&mut self.mass)
             .zip(&mut self.volume)
+            .zip(&mut self.pressure)
             .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, ((velocity, mass), volume))| {
+            .map(|(a, (((velocity, mass), volume), pressure))| {
                 let gain = &gains[places.of(a)];
-                let before = super::energy(&eos, *mass, *volume, *velocity);
+                let before =
+                    kinetic_energy(*mass, *velocity) + compression_energy(&eos, *mass, *volume);
                 let m = *mass + gain.mass;
                 for (v, momentum) in velocity.iter_mut().zip(gain.momentum) {
                     *v = (*mass * *v + momentum) / m;
                 }
                 *mass = m;
                 *volume += gain.volume;
-                before - super::energy(&eos, *mass, *volume, *velocity)
+                // Below the density at rest there is neither pressure nor energy.
+                let density = *mass / *volume;
+                let stress = eos.pressure(density);
+                *pressure = stress.max(0.0);
+                if stress < 0.0 {
+                    cavitating.fetch_add(1, Ordering::Relaxed);
+                }
+                let stored = eos.specific_energy_of(density.max(eos.reference_density), *pressure);
+                before - kinetic_energy(*mass, *velocity) - *mass * stored
             })
             .collect();
         self.account.dissipation += ordered_sum(loss.len(), |a| loss[a]);
+        self.account.cavitating += cavitating.into_inner();
     }
 }
 

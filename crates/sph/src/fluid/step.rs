@@ -12,7 +12,9 @@ use crate::fluid::ghosts::{Ghosts, Wall};
 use crate::fluid::kinematics::{self, Kinematics};
 use crate::fluid::momentum::{self, Forces};
 use crate::fluid::places::Places;
-use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sum, shifting, spacing};
+use crate::fluid::{
+    Fluid, Formulation, PARTICLES_PER_TASK, joshi, ordered_sums, shifting, spacing,
+};
 use crate::geometry::dot;
 use crate::neighbours::Neighbours;
 use crate::phases::{Phase, Phases};
@@ -107,10 +109,10 @@ impl<const D: usize> Fluid<D> {
         self.drift(0.5 * dt, walls);
         clock.lap(Phase::Integrate);
         let mut sweep = Sweep::find(self, walls, dt, clock);
-        self.keep_kinematics(&sweep);
         let extra = match self.formulation {
             Formulation::Corrected(s) => self.exchange_volume(&s, &mut sweep, dt),
             Formulation::Joshi(s) => {
+                self.keep_kinematics(&sweep);
                 self.advance_far_volume(&sweep, dt);
                 let x = Extended::new(self, &sweep.ghosts, &self.velocity);
                 self.smoothing_velocities(&x, &sweep, s.xsph)
@@ -129,42 +131,30 @@ impl<const D: usize> Fluid<D> {
         sweep
     }
 
-    /// Step 4 without the kick: forces at the end of the step (`time`). Returns the force of the liquid on the surfaces
+    /// Step 4 without the kick: forces at the end of the step (`time`), with the ghosts where they are then. Returns the force of the liquid on the surfaces
     /// of solids, N per particle (whole ring).
     pub(crate) fn push(
         &mut self,
         mut sweep: Sweep<D>,
-        walls: &[&dyn Wall<D>],
+        ghosts: &Ghosts<D>,
         dt: f64,
         time: f64,
         clock: &mut Phases,
     ) -> Vec<[f64; D]> {
-        let predicted: Vec<[f64; D]> = (self.velocity.par_iter().zip(&self.acceleration))
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|(v, a)| std::array::from_fn(|i| v[i] + 0.5 * dt * a[i]))
-            .collect();
-        let ghosts = sweep.ghosts.refresh(self, walls);
-        clock.lap(Phase::Boundaries);
         match self.formulation {
             Formulation::Corrected(_) => self.update_smoothing_length(),
-            Formulation::Joshi(_) => self.sum_density(&ghosts, &sweep),
-        }
-        self.update_pressure();
-        let mut outside: Vec<f64> = (self.far_field.par_iter().zip(&predicted))
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|(far, v)| far.pressure_outside(&self.eos, *v, time))
-            .collect();
-        for (a, pressure) in self.gas_pressure.iter().enumerate() {
-            if !self.far_field[a].is_some() {
-                outside[a] = *pressure;
+            Formulation::Joshi(_) => {
+                self.sum_density(ghosts, &sweep);
+                self.update_pressure();
             }
         }
+        let (predicted, outside) = self.surroundings(dt, time);
         let forces = match self.formulation {
             Formulation::Corrected(_) => {
-                momentum::sweep(self, &ghosts, &predicted, &outside, &mut sweep)
+                momentum::sweep(self, ghosts, &predicted, &outside, &mut sweep)
             }
             Formulation::Joshi(s) => {
-                let x = Extended::new(self, &ghosts, &predicted);
+                let x = Extended::new(self, ghosts, &predicted);
                 joshi::forces(self, &x, &outside, &sweep, &s)
             }
         };
@@ -180,6 +170,27 @@ impl<const D: usize> Fluid<D> {
             .collect();
         clock.lap(Phase::Sweeps);
         reaction
+    }
+
+    /// Velocities at the end of a step of `dt`, at `time`, and the pressure outside each particle: of its far field or of the
+    /// gas beside it, Pa.
+    fn surroundings(&self, dt: f64, time: f64) -> (Vec<[f64; D]>, Vec<f64>) {
+        let (mut predicted, mut outside) = (Vec::new(), Vec::new());
+        (self.velocity.par_iter().zip(&self.acceleration))
+            .zip(&self.far_field)
+            .enumerate()
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(|(a, ((v, rate), far))| {
+                let v: [f64; D] = std::array::from_fn(|i| v[i] + 0.5 * dt * rate[i]);
+                let outside = if far.is_some() {
+                    far.pressure_outside(&self.eos, v, time)
+                } else {
+                    self.gas_pressure.get(a).copied().unwrap_or(0.0)
+                };
+                (v, outside)
+            })
+            .unzip_into_vecs(&mut predicted, &mut outside);
+        (predicted, outside)
     }
 
     fn keep_kinematics(&mut self, sweep: &Sweep<D>) {
@@ -216,8 +227,7 @@ impl<const D: usize> Fluid<D> {
             let speed = dot(far.normal, std::array::from_fn(|i| v[i] + stretch[i]));
             outside[a] * speed * far.face_area
         };
-        let dissipation = ordered_sum(self.len(), dissipated);
-        let work = ordered_sum(self.len(), leaving);
+        let [dissipation, work] = ordered_sums(self.len(), |a| [dissipated(a), leaving(a)]);
         self.account.dissipation -= dt * dissipation;
         self.account.far_field_work -= dt * work;
     }

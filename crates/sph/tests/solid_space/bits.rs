@@ -58,6 +58,13 @@ fn a_saved_state_goes_on_with_the_same_bits() {
     advance(&mut resumed, 10);
     assert_eq!(whole.state, resumed.state);
     let mut other = build(&lattice([4, 4, 4], Strength::Elastic));
+    // Every field must have the right length, not only the first.
+    let mut mixed = other.state.clone();
+    mixed.flux = whole.state.flux.clone();
+    assert!(matches!(
+        other.resume(mixed),
+        Err(SpaceError::OtherState { .. })
+    ));
     assert!(matches!(
         other.resume(whole.state),
         Err(SpaceError::OtherState { .. })

@@ -3,7 +3,7 @@
 use super::super::Options;
 use super::super::session::{Judged, Need, Ran, Session};
 use super::near_wall::at;
-use crate::analysis::extrapolate;
+use crate::analysis::{error_bar, extrapolate};
 use crate::validate::{Check, Failure, Figure, Finding, Style};
 
 const QUICK: [u32; 3] = [8, 12, 18];
@@ -69,8 +69,9 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
     }
     finding.figures.push(figure);
     finding.notes.push(
-        "Not judged: orders and error bars (1.25 times the distance of the finest value from that extrapolated to spacing zero) are what this is \
-         for. A scalar without an order does not converge in one direction through the three finest resolutions."
+        "Not judged: orders and error bars are what this is for. The error bar of the finest value is 1.25 times its distance from that \
+         extrapolated to spacing zero where the order is between 0.5 and 3, and three times the range of the three finest values \
+         otherwise. A scalar without an order does not converge in one direction through the three finest resolutions."
             .into(),
     );
     Ok(finding.into())
@@ -80,10 +81,18 @@ pub(super) fn judge(session: &Session) -> Result<Judged, Failure> {
 fn row(name: &str, unit: &str, known: &[[f64; 2]]) -> Check {
     let three = <[[f64; 2]; 3]>::try_from(&known[..known.len().min(3)]).ok();
     let found = three.and_then(extrapolate);
-    let words = found.map_or(
-        "no order: not converging in one direction".to_owned(),
-        |f| format!("order {:.2}, error bar {:.2e}", f.order, f.error),
-    );
+    let bar = match error_bar(known) {
+        Some(bar) => format!(
+            "error bar {bar:.1e} ({:.0} %)",
+            100.0 * (bar / known[0][1]).abs()
+        ),
+        None => "no error bar from fewer than three values".into(),
+    };
+    let order = match &found {
+        Some(f) => format!("order {:.2}", f.order),
+        None => "no order: not converging in one direction".into(),
+    };
+    let words = format!("{order}; {bar}");
     Check::shown(
         format!(
             "{}; reference: extrapolated to spacing zero",

@@ -77,6 +77,22 @@ pub struct State {
     pub work: Work,
 }
 
+impl State {
+    /// Entries of each field.
+    fn lengths(&self) -> [usize; 8] {
+        [
+            self.position.len(),
+            self.velocity.len(),
+            self.acceleration.len(),
+            self.deformation.len(),
+            self.flux.len(),
+            self.plastic_strain.len(),
+            self.plastic_strain_rate.len(),
+            self.plastic_work.len(),
+        ]
+    }
+}
+
 /// Factors of the sums of viscous and hourglass accelerations.
 #[derive(Debug, Clone, Copy)]
 struct Stabilisers {
@@ -139,11 +155,9 @@ impl SpaceSolid {
     /// # Errors
     /// If it has another number of particles.
     pub fn resume(&mut self, state: State) -> Result<(), SpaceError> {
-        if state.position.len() != self.len() {
-            return Err(SpaceError::OtherState {
-                state: state.position.len(),
-                solid: self.len(),
-            });
+        let n = self.len();
+        if let Some(state) = state.lengths().into_iter().find(|len| *len != n) {
+            return Err(SpaceError::OtherState { state, solid: n });
         }
         self.state = state;
         Ok(())
