@@ -274,6 +274,10 @@ impl World {
             for (line, sum) in lines.iter().zip(&mut pressures) {
                 let push = line.pressure(f.geometry, &f.position, &reaction, &f.smoothing_length);
                 sum.iter_mut().zip(push).for_each(|(s, p)| *s += p);
+                if let Some(gas) = &f.gas {
+                    let push = gas.pressure_on(line);
+                    sum.iter_mut().zip(push).for_each(|(s, p)| *s += p);
+                }
             }
             clock.lap(Phase::Boundaries);
         }

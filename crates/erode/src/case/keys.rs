@@ -108,12 +108,12 @@ static SETUP: Table = Table {
         optional(
             "bubble_near_wall",
             Nested(&BUBBLE_NEAR_WALL),
-            "an empty bubble next to a solid wall, hit by a pressure step",
+            "a bubble, empty or with gas, next to a solid wall, hit by a pressure step",
         ),
         optional(
             "bubble_in_liquid",
             Nested(&BUBBLE_IN_LIQUID),
-            "an empty bubble in liquid under pressure, far from walls",
+            "a bubble, empty or with gas, in liquid under pressure, far from walls",
         ),
         optional(
             "indentation",
@@ -147,7 +147,7 @@ static SETUP: Table = Table {
 };
 
 static BUBBLE_NEAR_WALL: Table = table(
-    "an empty bubble next to a solid wall; the wall's surface is z = 0, the liquid is above it",
+    "a bubble, empty or with gas, next to a solid wall; the wall's surface is z = 0, the liquid is above it",
     &[
         required("radius", Quantity(LENGTH, Positive), "radius of the bubble"),
         required(
@@ -234,7 +234,7 @@ static BUBBLE_NEAR_WALL: Table = table(
 );
 
 static BUBBLE_IN_LIQUID: Table = table(
-    "an empty bubble in liquid under pressure from the start; its centre is (0, 0)",
+    "a bubble, empty or with gas, in liquid under pressure from the start; its centre is (0, 0)",
     &[
         required("radius", Quantity(LENGTH, Positive), "radius of the bubble"),
         required(
@@ -289,7 +289,7 @@ static GAS: Table = table(
 );
 
 static BUBBLE: Table = table(
-    "the empty cavity at the start",
+    "the cavity at the start, empty or with gas",
     &[
         required("centre", Pair(LENGTH), "centre"),
         required("radius", Quantity(LENGTH, Positive), "radius"),

@@ -32,7 +32,7 @@ pub(super) fn follow(world: &mut World, simulation: &Simulation, cell: f64) {
                 growth: r.growth,
                 smallest: r.smallest * bubble.radius,
             };
-            let cavities = fronts(f, &walls, window(bubble, cell));
+            let cavities = fronts(f, &walls, window(bubble, cell), refinement.smallest);
             f.refine(&refinement, &cavities, world.step);
         }
     }

@@ -41,16 +41,16 @@ impl Front {
 }
 
 /// The voids of a liquid between `walls` in a part of the plane. When the largest is small for the cells of the window,
-/// they are looked at again with finer ones.
+/// they are looked at again with finer ones, unless its radius is less than `smallest` (m).
 #[must_use]
-pub fn fronts(fluid: &Fluid, walls: &[&dyn Wall], window: Window) -> Vec<Front> {
+pub fn fronts(fluid: &Fluid, walls: &[&dyn Wall], window: Window, smallest: f64) -> Vec<Front> {
     let ghosts = Ghosts::find(fluid, walls);
     let found = Colour::new(fluid, &ghosts, window).fronts(FEWEST_CELLS);
     let Some(largest) = found.iter().max_by(|p, q| p.radius.total_cmp(&q.radius)) else {
         return found;
     };
     let cell = largest.radius / CELLS_PER_RADIUS;
-    if cell >= window.cell {
+    if cell >= window.cell || largest.radius < smallest {
         return found;
     }
     let margin = 4.0 * window.cell + largest.radius;
@@ -136,7 +136,7 @@ mod tests {
                 upper: [2.0, 2.0],
                 cell,
             };
-            let found = fronts(&fluid, &[], window);
+            let found = fronts(&fluid, &[], window, 0.0);
             assert_eq!(found.len(), 1);
             // A lattice cut by a circle has the volume of the ball to about 1 %.
             assert!((found[0].radius - 1.0).abs() < 0.01, "{}", found[0].radius);
@@ -149,6 +149,21 @@ mod tests {
     }
 
     #[test]
+    fn voids_that_are_too_small_are_not_looked_at_closer() {
+        let fluid = around_a_ball(0.05);
+        let window = Window {
+            lower: [0.0, -2.0],
+            upper: [2.0, 2.0],
+            cell: 0.1,
+        };
+        let cells = |smallest| fronts(&fluid, &[], window, smallest)[0].rim.len();
+        let coarse = Colour::new(&fluid, &Ghosts::find(&fluid, &[]), window).fronts(FEWEST_CELLS);
+        assert_eq!(cells(1.1), coarse[0].rim.len());
+        // Twice as fine, twice as many at the surface.
+        assert!(cells(0.9) as f64 > 1.8 * cells(1.1) as f64);
+    }
+
+    #[test]
     fn liquid_without_voids_has_no_front() {
         let fluid = around_a_ball(0.05);
         let window = Window {
@@ -156,6 +171,6 @@ mod tests {
             upper: [2.2, 0.5],
             cell: 0.025,
         };
-        assert!(fronts(&fluid, &[], window).is_empty());
+        assert!(fronts(&fluid, &[], window, 0.0).is_empty());
     }
 }

@@ -3,20 +3,31 @@
 //! In each cavity (pocket) the pressure is uniform, p = p_0 (x V_0/V)^k: V its volume by the colour integral ([`crate::cavity`]), x the
 //! share of all gas that it holds, k the polytropic exponent. The gas acts on the liquid particles within reach of the cavity as
 //! a pressure outside: forces of pairs are those of p - p_gas (`momentum.rs`), so that a liquid under the pressure of its gas is
-//! at rest. Energy of the gas: sum of p V/(k - 1), or p_0 V_0 x ln(x V_0/V) for k = 1.
+//! at rest. It pushes on the surface of a solid where the cavity touches it. Energy of the gas: sum of p V/(k - 1), or
+//! p_0 V_0 x ln(x V_0/V) for k = 1.
 //!
-//! Pockets are followed from step to step by the cells they have in common with themselves before. A pocket that parts shares
-//! its gas by volume; pockets that meet put theirs together. Voids that open elsewhere hold no gas. A pocket too small to be
-//! seen (no cell with colour below 1/2) is closed; the energy of its gas is counted as lost.
+//! Pockets are followed from step to step by the cells they have in common with themselves before (`gas/hand_on.rs`). A pocket that
+//! parts shares its gas by volume; pockets that meet put theirs together; a pocket that opens into an empty void fills it. A
+//! pocket too small to be seen (no cell with colour below 1/2) is closed. Where volumes jump in this way no work is done, and
+//! what the energy of the gas falls by is counted as lost.
 //!
 //! Units: SI. Range: uniform pressure (the wall moves slowly beside sound in the gas); the cavity is four spacings or more across.
+
+mod cells;
+mod hand_on;
+mod reach;
+#[cfg(test)]
+mod tests;
 
 use crate::cavity::{Colour, Map, Window};
 use crate::fluid::ghosts::Ghosts;
 use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK};
-use crate::geometry::Vec2;
+use crate::geometry::{Geometry, Vec2};
+use crate::interface::SurfaceLine;
 use crate::kernel;
+use cells::{Cells, Part};
 use rayon::prelude::*;
+use reach::Reach;
 use serde::{Deserialize, Serialize};
 
 /// Room around the pockets in which they are looked for in the next step, in supports of the kernel there.
@@ -24,6 +35,9 @@ const ROOM: f64 = 2.0;
 
 /// Fewer cells (two particles) are noise between particles: they do not take gas from a pocket that parts.
 const SMALLEST: usize = 8;
+
+/// Places across the width of a point of a surface where it is looked for gas.
+const PLACES: usize = 4;
 
 /// What the gas is, and where cavities count.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -34,6 +48,9 @@ pub struct GasLaw {
     pub polytropic_exponent: f64,
     /// Corners of the part of the plane in which cavities hold gas, m.
     pub limits: [Vec2; 2],
+    /// Whether the liquid ends at these limits (a wall, the axis): a pocket that reaches them is whole. Beyond the others
+    /// its volume is cut, which is counted.
+    pub ends: [[bool; 2]; 2],
     /// Size of the cells by which volumes are measured, m: half the finest spacing.
     pub cell: f64,
 }
@@ -58,29 +75,14 @@ pub struct Gas {
     pub first_volume: f64,
     /// Pockets now.
     pub pockets: Vec<Pocket>,
-    /// Energy of gas in pockets that closed, and lost where pockets of unequal pressure met, J.
+    /// Energy of gas in pockets that closed; what it lost without work where pockets met at unequal pressure and where one
+    /// opened into an empty void, less what it gained where a piece too small to hold gas came off, J.
     pub lost: f64,
     /// Pockets that closed.
     pub closed: u64,
     /// Steps in which a pocket reached beyond the limits, so that its volume was cut.
     pub cut: u64,
     cells: Cells,
-}
-
-/// Cells of the pockets. Cells have whole-number places from the lower limit on, so that windows fit together.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-struct Cells {
-    /// Rows of cells: first cell (both places), how many, pocket.
-    runs: Vec<([usize; 2], usize, usize)>,
-    /// First cell, and one past the last, of the part to be searched next.
-    search: [[usize; 2]; 2],
-}
-
-/// A pocket of which a part goes into a void.
-struct Part {
-    share: f64,
-    /// Its volume before, m3.
-    volume: f64,
 }
 
 impl GasLaw {
@@ -115,13 +117,27 @@ impl GasLaw {
         })
     }
 
-    fn window(&self, [from, to]: [[usize; 2]; 2]) -> Window {
+    fn window(&self, [from, to]: Part) -> Window {
         let at = |c: [usize; 2]| [0, 1].map(|k| self.limits[0][k] + c[k] as f64 * self.cell);
         Window {
             lower: at(from),
             upper: at(to),
             cell: self.cell,
         }
+    }
+
+    /// Cell of a point; a point behind a limit where the liquid ends (a wall that was pushed in) has the cell before it.
+    fn cell_of(&self, x: Vec2) -> Option<[usize; 2]> {
+        let (mut cell, size) = ([0; 2], self.size());
+        for k in 0..2 {
+            let place = ((x[k] - self.limits[0][k]) / self.cell).floor();
+            let last = (size[k] - 1) as f64;
+            if (place < 0.0 && !self.ends[0][k]) || (place > last && !self.ends[1][k]) {
+                return None;
+            }
+            cell[k] = place.clamp(0.0, last) as usize;
+        }
+        Some(cell)
     }
 }
 
@@ -155,15 +171,19 @@ impl Gas {
             cut: 0,
             cells: Cells::default(),
         };
-        gas.keep(fluid, &map, search[0], &pocket_of);
+        gas.keep(fluid, &map, search, &pocket_of);
         Some(gas)
     }
 
     /// Energy of the gas, J.
     #[must_use]
     pub fn energy(&self) -> f64 {
-        let one = |p: &Pocket| self.law.energy(self.first_volume, p.share, p.volume);
+        let one = |p: &Pocket| self.energy_of(p.share, p.volume);
         self.pockets.iter().map(one).sum::<f64>() + 0.0
+    }
+
+    fn energy_of(&self, share: f64, volume: f64) -> f64 {
+        self.law.energy(self.first_volume, share, volume)
     }
 
     /// Volume of all pockets, m3.
@@ -172,111 +192,46 @@ impl Gas {
         self.pockets.iter().map(|p| p.volume).sum::<f64>() + 0.0
     }
 
+    /// Pressure of the gas on each point of the surface of a solid, Pa; 0 where no pocket touches it.
+    #[must_use]
+    pub fn pressure_on(&self, line: &SurfaceLine) -> Vec<f64> {
+        let places = |k: usize| {
+            (0..PLACES).map(move |i| {
+                let along = ((i as f64 + 0.5) / PLACES as f64 - 0.5) * line.width[k];
+                let x = line.position[k];
+                [x[0] + along, x[1] + 0.5 * self.law.cell]
+            })
+        };
+        let at = |x: Vec2| {
+            let pocket = (self.law.cell_of(x)).and_then(|c| self.cells.owner(c));
+            (pocket.and_then(|p| self.pockets.get(p))).map_or(0.0, |p| p.pressure)
+        };
+        (0..line.position.len())
+            .map(|k| places(k).map(at).sum::<f64>() / PLACES as f64)
+            .collect()
+    }
+
     /// Finds the pockets in the liquid as it is, with their new pressures. Returns the pressure of the gas on each particle,
     /// Pa; 0 out of reach.
     pub(crate) fn follow(&mut self, fluid: &Fluid, ghosts: &Ghosts) -> Vec<f64> {
-        let search = self.cells.search;
         if self.pockets.is_empty() {
             return vec![0.0; fluid.len()];
         }
-        let map = Colour::new(fluid, ghosts, self.law.window(search)).map();
-        let pocket_of = self.hand_on(&map, search[0]);
-        self.keep(fluid, &map, search[0], &pocket_of)
+        let mut search = self.cells.search;
+        let map = loop {
+            let map = Colour::new(fluid, ghosts, self.law.window(search)).map();
+            // A void that has opened to a pocket is to be seen as a whole.
+            match self.wider(&map, search) {
+                Some(wider) => search = wider,
+                None => break map,
+            }
+        };
+        let pocket_of = self.hand_on(&map, search, fluid.geometry);
+        self.keep(fluid, &map, search, &pocket_of)
     }
 
-    /// Gas goes from the pockets into the voids where they were. Returns the new pocket of each label, from 1; 0 for none.
-    fn hand_on(&mut self, map: &Map, first: [usize; 2]) -> Vec<usize> {
-        // Cells that a void has in common with a pocket.
-        let mut common = vec![vec![0_usize; map.voids.len()]; self.pockets.len()];
-        for &([i, j], count, pocket) in &self.cells.runs {
-            for i in i..i + count {
-                let inside = i >= first[0] && j >= first[1];
-                let cell = [i.wrapping_sub(first[0]), j.wrapping_sub(first[1])];
-                if inside && cell[0] < map.size[0] && cell[1] < map.size[1] {
-                    let label = map.label[cell[0] + map.size[0] * cell[1]] as usize;
-                    if label != 0 {
-                        common[pocket][label - 1] += 1;
-                    }
-                }
-            }
-        }
-        let all: Vec<usize> = (0..map.voids.len())
-            .map(|v| common.iter().map(|c| c[v]).sum())
-            .collect();
-        let mut parts: Vec<Vec<Part>> = map.voids.iter().map(|_| Vec::new()).collect();
-        for (pocket, common) in self.pockets.iter().zip(&common) {
-            let largest = (0..common.len()).max_by_key(|&v| (common[v] > 0, map.voids[v].cells));
-            let takes =
-                |v: usize| common[v] > 0 && (map.voids[v].cells >= SMALLEST || Some(v) == largest);
-            let weight = |v: usize| map.voids[v].volume * common[v] as f64 / all[v] as f64;
-            let takers: Vec<usize> = (0..common.len()).filter(|&v| takes(v)).collect();
-            let sum: f64 = takers.iter().map(|&v| weight(v)).sum();
-            if takers.is_empty() {
-                self.closed += 1;
-                self.lost += self
-                    .law
-                    .energy(self.first_volume, pocket.share, pocket.volume);
-            }
-            for v in takers {
-                let part = weight(v) / sum;
-                parts[v].push(Part {
-                    share: part * pocket.share,
-                    volume: part * pocket.volume,
-                });
-            }
-        }
-        self.fill_voids(map, &parts)
-    }
-
-    fn fill_voids(&mut self, map: &Map, parts: &[Vec<Part>]) -> Vec<usize> {
-        let mut pocket_of = vec![0; parts.len() + 1];
-        let mut pockets = Vec::new();
-        for (v, parts) in parts.iter().enumerate().filter(|(_, p)| !p.is_empty()) {
-            let share: f64 = parts.iter().map(|p| p.share).sum();
-            if parts.len() > 1 {
-                let before: f64 = parts.iter().map(|p| p.volume).sum();
-                let one = |p: &Part| self.law.energy(self.first_volume, p.share, p.volume);
-                let apart: f64 = parts.iter().map(one).sum();
-                self.lost += apart - self.law.energy(self.first_volume, share, before);
-            }
-            let volume = map.voids[v].volume;
-            pockets.push(Pocket {
-                share,
-                volume,
-                pressure: self.law.pressure_in(self.first_volume, share, volume),
-            });
-            pocket_of[v + 1] = pockets.len();
-        }
-        self.pockets = pockets;
-        pocket_of
-    }
-
-    /// Remembers the cells of the pockets; the pressure on each particle.
-    fn keep(
-        &mut self,
-        fluid: &Fluid,
-        map: &Map,
-        first: [usize; 2],
-        pocket_of: &[usize],
-    ) -> Vec<f64> {
-        let width = map.size[0];
-        let (mut runs, mut low, mut high) = (Vec::new(), [usize::MAX; 2], [0; 2]);
-        for j in 0..map.size[1] {
-            let mut i = 0;
-            while i < width {
-                let pocket = pocket_of[map.label[i + width * j] as usize];
-                let begin = i;
-                while i < width && pocket_of[map.label[i + width * j] as usize] == pocket {
-                    i += 1;
-                }
-                if pocket != 0 {
-                    let cell = [begin + first[0], j + first[1]];
-                    runs.push((cell, i - begin, pocket - 1));
-                    low = [low[0].min(cell[0]), low[1].min(cell[1])];
-                    high = [high[0].max(i + first[0]), high[1].max(cell[1] + 1)];
-                }
-            }
-        }
+    /// Remembers the cells of the pockets and of empty voids; the pressure on each particle.
+    fn keep(&mut self, fluid: &Fluid, map: &Map, search: Part, pocket_of: &[usize]) -> Vec<f64> {
         let pressures: Vec<f64> = self.pockets.iter().map(|p| p.pressure).collect();
         let on = |a: usize| Reach::new(map, fluid, a).pressure(map, pocket_of, &pressures);
         let on: Vec<f64> = (0..fluid.len())
@@ -287,17 +242,20 @@ impl Gas {
         let touched = (0..fluid.len()).filter(|&a| on[a] > 0.0);
         let largest = touched.fold(0.0, |m: f64, a| m.max(fluid.smoothing_length[a]));
         let room = ROOM * kernel::SUPPORT * largest.max(self.law.cell) / self.law.cell;
-        let (room, size) = (room.ceil() as usize, self.law.size());
-        if high[0] == size[0] || high[1] == size[1] {
+        let size = self.law.size();
+        let (cells, [low, high]) = Cells::of(map, search, pocket_of, self.pockets.len());
+        let beyond = |k: usize| {
+            (low[k] == 0 && !self.law.ends[0][k]) || (high[k] == size[k] && !self.law.ends[1][k])
+        };
+        if !self.pockets.is_empty() && (beyond(0) || beyond(1)) {
             self.cut += 1;
         }
-        self.cells = Cells {
-            runs,
-            search: [
-                [0, 1].map(|k| low[k].saturating_sub(room).min(size[k])),
-                [0, 1].map(|k| (high[k] + room).min(size[k])),
-            ],
-        };
+        self.cells = cells;
+        let room = room.ceil() as usize;
+        self.cells.search = [
+            [0, 1].map(|k| low[k].saturating_sub(room).min(size[k])),
+            [0, 1].map(|k| (high[k] + room).min(size[k])),
+        ];
         on
     }
 }
@@ -315,47 +273,7 @@ impl Fluid {
     }
 }
 
-/// Cells of a map within the support of a particle.
-struct Reach {
-    x: Vec2,
-    h: f64,
-    from: [usize; 2],
-    to: [usize; 2],
-}
-
-impl Reach {
-    fn new(map: &Map, fluid: &Fluid, a: usize) -> Self {
-        let (x, h) = (fluid.position[a], fluid.smoothing_length[a]);
-        let (w, radius) = (map.window, kernel::SUPPORT * h);
-        let cell = |v: f64, k: usize| {
-            let cell = (v - w.lower[k]) / w.cell;
-            cell.clamp(0.0, map.size[k] as f64) as usize
-        };
-        Self {
-            x,
-            h,
-            from: [0, 1].map(|k| cell(x[k] - radius, k)),
-            to: [0, 1].map(|k| cell(x[k] + radius + w.cell, k)),
-        }
-    }
-
-    /// Kernel mean of the pressures of the pockets within reach; 0 without any.
-    fn pressure(&self, map: &Map, pocket_of: &[usize], pressures: &[f64]) -> f64 {
-        let (mut sum, mut weight) = (0.0, 0.0);
-        for j in self.from[1]..self.to[1] {
-            for i in self.from[0]..self.to[0] {
-                let pocket = pocket_of[map.label[i + map.size[0] * j] as usize];
-                if pocket != 0 {
-                    let place = |k: usize, c: usize| {
-                        map.window.lower[k] + (c as f64 + 0.5) * map.window.cell
-                    };
-                    let d = (place(0, i) - self.x[0]).hypot(place(1, j) - self.x[1]);
-                    let w = kernel::value(d, self.h);
-                    sum += w * pressures[pocket - 1];
-                    weight += w;
-                }
-            }
-        }
-        if weight > 0.0 { sum / weight } else { 0.0 }
-    }
+/// Weight of a cell in a volume, by its place between the limits.
+fn ring(law: &GasLaw, geometry: Geometry, column: usize) -> f64 {
+    geometry.ring(law.limits[0][0] + (column as f64 + 0.5) * law.cell)
 }

@@ -170,8 +170,13 @@ impl<const D: usize> Fluid<D> {
         self.position.len()
     }
 
-    /// One step of `dt` of a liquid on its own between its sides, from `time` on; s.
+    /// One step of `dt` of a liquid on its own between its sides, from `time` on; s. For a liquid without gas: gas follows its
+    /// cavities in [`crate::world::World::advance`] alone.
     pub fn step(&mut self, dt: f64, time: f64, clock: &mut Phases) {
+        debug_assert!(
+            self.gas.is_none(),
+            "gas follows its cavities in a world alone"
+        );
         let sides = self.sides.clone();
         let walls: Vec<&dyn Wall<D>> = sides.iter().map(|p| p as &dyn Wall<D>).collect();
         clock.start();

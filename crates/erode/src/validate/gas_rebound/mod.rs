@@ -1,6 +1,8 @@
-//! A bubble with gas collapses, comes back and swings, against the laws of spherical bubbles.
+//! A bubble with gas collapses, comes back and swings, against compressible liquid in one dimension and the laws of spherical
+//! bubbles.
 
 mod run;
+mod spherical;
 
 use super::check::Check;
 use super::{Failure, Figure, Finding, Style, Validation};
@@ -11,8 +13,9 @@ pub(super) const VALIDATION: Validation = Validation {
     name: "gas-rebound",
     description: "a spherical bubble with gas of uniform pressure in water: collapse and first rebound at 1 and 50 MPa, \
                   and its own frequency",
-    reference: "Keller and Miksis 1980, integrated to 1e-10 (crates/physics/src/bubble); Gilmore's law is shown beside it \
-                where the wall comes near the speed of sound",
+    reference: "the equations of Euler between spheres with the same water and gas, in one dimension and converged \
+                (crates/erode/src/validate/gas_rebound/spherical.rs); Keller and Miksis 1980, integrated to 1e-10 \
+                (crates/physics/src/bubble), which holds for walls slow beside sound",
     run,
 };
 
@@ -23,6 +26,7 @@ const HARD: Setting = Setting {
     gas_pressure: 1e5,
     extent: 14.0,
     end: 1.45,
+    finest_shell: 0.002,
 };
 
 /// A collapse to 0.29 R0, which the particles resolve; sound leaves for 50 R0 and is not back before the end.
@@ -32,6 +36,7 @@ const GENTLE: Setting = Setting {
     gas_pressure: 1e5,
     extent: 50.0,
     end: 2.3,
+    finest_shell: 0.008,
 };
 
 /// Gas a fifth above the liquid: a swing about equilibrium with nearly the frequency of Minnaert.
@@ -41,27 +46,68 @@ const SWING: Setting = Setting {
     gas_pressure: 12e6,
     extent: 40.0,
     end: 3.9,
+    finest_shell: 0.02,
 };
 
-const HARD_RADIUS: &str =
-    "issue 5; at the smallest radius the bubble is two spacings across at 30 per radius";
-const HARD_REBOUND: &str =
-    "issue 5; the smallest radius decides how much energy the liquid radiates as a shock";
-const GENTLE_REASON: &str = "measured: 2 % (smallest) and 7 % (largest radius) at 15 per radius; dissipation in the last steps of \
-                             the collapse makes the rebound small, it falls with the spacing";
+/// Tolerances and their reasons.
+struct Judgement {
+    smallest: (fn(f64) -> f64, &'static str),
+    rebound: (fn(f64) -> f64, &'static str),
+}
+
+const HARD_JUDGEMENT: Judgement = Judgement {
+    smallest: (
+        |_| 0.10,
+        "issue 5; at the smallest radius the bubble is two spacings across at 30 per radius",
+    ),
+    rebound: (
+        |_| 0.15,
+        "issue 5; the smallest radius decides how much energy the liquid radiates as a shock",
+    ),
+};
+
+const GENTLE_JUDGEMENT: Judgement = Judgement {
+    smallest: (
+        |n| 0.7 / n,
+        "0.7/n: the surface lies between particles to a fifth of a spacing, and 0.29 n spacings are left of the radius",
+    ),
+    rebound: (
+        |n| 1.5 / n,
+        "1.5/n: the dissipation at the surface is of first order in the spacing; 10 % at 15 per radius is half of what issue 5 \
+         allows with two spacings left, and here four are",
+    ),
+};
+
 const TIME_REASON: &str = "1 to 2 %: what `rayleigh-collapse` asks of an empty cavity";
-const SWING_REASON: &str = "measured: 0.2 % and 1 %; the dissipation of the liquid takes a sixth of the swing at 20 per radius";
+const LEDGER_REASON: &str = "1 % of p V0: what `rayleigh-collapse` asks of an empty cavity";
+const SWING_REASON: &str = "2 %: a quarter of the swing, a fifth of a spacing at 10 per radius: as well as the surface is known";
+
+/// What the numbers do not say.
+const NOTES: [&str; 3] = [
+    "At 50 MPa the wall is as fast as sound: both laws are far from the compressible liquid in one dimension, in smallest radius \
+     and rebound. With the spacing the smallest radius of the particles comes down towards that of the compressible liquid, past \
+     that of Keller and Miksis: where it meets the latter it does so by coincidence.",
+    "At 1 MPa the error of the smallest radius does not fall from 15 to 30 particles per radius: it has not been shown to \
+     converge. Two errors of opposite sign meet in it: the gas does less work on the particles than p dV of the measured volume \
+     (too small a radius), and dissipation takes energy (too large a one).",
+    "The ledger: the sums for force and for volume are not adjoint at a free surface. The work of the gas on the particles (their \
+     forces with and without it) differs from p dV by all of the defect at 50 MPa; at 1 MPa a defect of the liquid itself, of \
+     opposite sign, hides a part of it.",
+];
 
 fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
     let mut finding = Finding::default();
     let mut figures = Vec::new();
     let gentle: &[f64] = if quick { &[15.0] } else { &[15.0, 30.0] };
-    let hard: &[f64] = if quick { &[30.0] } else { &[30.0, 45.0] };
-    for (setting, numbers, tolerances) in [
-        (&GENTLE, gentle, ([0.05, 0.10], [GENTLE_REASON; 2])),
-        (&HARD, hard, ([0.10, 0.15], [HARD_RADIUS, HARD_REBOUND])),
+    let hard: &[f64] = if quick { &[30.0] } else { &[30.0, 45.0, 60.0] };
+    for (setting, numbers, judgement) in [
+        (&GENTLE, gentle, GENTLE_JUDGEMENT),
+        (&HARD, hard, HARD_JUDGEMENT),
     ] {
-        let truth = setting.theory(&KellerMiksis)?;
+        say(&format!("{}, in one dimension", setting.name));
+        let truth = setting.in_one_dimension(1.0)?;
+        let law = setting.theory(&KellerMiksis)?;
+        finding.checks.extend(theories(setting, &truth, &law)?);
         let mut figure = Figure::new(
             &format!("gas-rebound-{}", setting.name.replace(' ', "-")),
             &format!("Bubble with 100 kPa of gas in water at {}", setting.name),
@@ -71,93 +117,132 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         for &n in numbers {
             say(&format!("{}, {n} particles per radius", setting.name));
             let swing = run::run(setting, n)?;
-            finding
-                .checks
-                .extend(collapse(setting, n, &swing, &truth, tolerances)?);
+            let checks = collapse(setting, n, &swing, [&truth, &law], &judgement)?;
+            finding.checks.extend(checks);
             figure.add(&format!("{n} per radius"), Style::Line, swing.curve);
         }
-        figure.add("Keller and Miksis", Style::Dashed, truth.curve);
+        figure.add("compressible liquid", Style::Dashed, truth.curve);
+        figure.add("Keller and Miksis", Style::Dashed, law.curve);
         figures.push(figure);
     }
     say("swing, 10 particles per radius");
     finding.checks.extend(own_frequency()?);
     finding.figures = figures;
+    finding.notes = NOTES.map(str::to_owned).to_vec();
     Ok(finding)
 }
 
-/// Smallest and largest radius, with their times.
+/// The calculation in one dimension: is it converged, and how far are the laws from it?
+fn theories(setting: &Setting, truth: &Swing, law: &Swing) -> Result<Vec<Check>, Failure> {
+    let of = |what: &str| format!("{}, {what}", setting.name);
+    let extremes = |s: &Swing| Extremes::of_collapse(&s.curve);
+    let (exact, finer) = (extremes(truth)?, extremes(&setting.in_one_dimension(2.0)?)?);
+    let (law, gilmore) = (
+        extremes(law)?,
+        extremes(&setting.theory(&Gilmore::default())?)?,
+    );
+    let converged = "a twentieth of the smallest tolerance for particles";
+    let mut checks = Vec::new();
+    for (what, get) in [
+        ("smallest radius", (|e| e.first[1]) as fn(&Extremes) -> f64),
+        ("radius of the first rebound", |e| e.second[1]),
+    ] {
+        checks.push(Check::relative(
+            of(&format!(
+                "in one dimension: {what} beside shells half as thick"
+            )),
+            "R0",
+            (get(&exact), get(&finer)),
+            0.001,
+            converged,
+        ));
+        let name = of(&format!("Keller and Miksis: {what}"));
+        let (pair, shown) = ((get(&law), get(&exact)), "shown: Mach numbers of order one");
+        checks.push(if setting.pressure < 2e6 {
+            let why = "the law is of first order in the Mach number of the wall, 0.06 at most: its square";
+            Check::relative(name, "R0", pair, 0.004, why)
+        } else {
+            Check::shown(name, "R0", pair.0, Some(pair.1), shown)
+        });
+        checks.push(Check::shown(
+            of(&format!("Gilmore: {what}")),
+            "R0",
+            get(&gilmore),
+            Some(get(&exact)),
+            "shown: another law, with the enthalpy of the liquid at the wall",
+        ));
+    }
+    Ok(checks)
+}
+
+/// Smallest and largest radius, with their times, beside compressible liquid and the law of Keller and Miksis.
 fn collapse(
     setting: &Setting,
     n: f64,
     swing: &Swing,
-    truth: &Swing,
-    ([least, most], [why_least, why_most]): ([f64; 2], [&str; 2]),
+    [truth, law]: [&Swing; 2],
+    judgement: &Judgement,
 ) -> Result<Vec<Check>, Failure> {
-    let name = format!("{}, n = {n}", setting.name);
-    let (found, exact) = (
-        Extremes::of_collapse(&swing.curve)?,
-        Extremes::of_collapse(&truth.curve)?,
-    );
-    let gilmore = Extremes::of_collapse(&setting.theory(&Gilmore::default())?.curve)?;
-    let of = |what: &str| format!("{name}: {what}");
-    Ok(vec![
-        Check::relative(
-            of("smallest radius"),
-            "R0",
+    let of = |what: &str| format!("{}, n = {n}: {what}", setting.name);
+    let extremes = |s: &Swing| Extremes::of_collapse(&s.curve);
+    let (found, exact, law) = (extremes(swing)?, extremes(truth)?, extremes(law)?);
+    let ((smallest, why_smallest), (rebound, why_rebound)) =
+        (judgement.smallest, judgement.rebound);
+    let radius = |what: &str, pair: (f64, f64), tolerance: f64, why: &str| {
+        Check::relative(of(what), "R0", pair, tolerance, why)
+    };
+    let both = [(&exact, ""), (&law, ", beside Keller and Miksis")];
+    let mut checks = Vec::new();
+    for (exact, beside) in both {
+        checks.push(radius(
+            &format!("smallest radius{beside}"),
             (found.first[1], exact.first[1]),
-            least,
-            why_least,
-        ),
-        Check::relative(
-            of("radius of the first rebound"),
-            "R0",
+            smallest(n),
+            why_smallest,
+        ));
+        checks.push(radius(
+            &format!("radius of the first rebound{beside}"),
             (found.second[1], exact.second[1]),
-            most,
-            why_most,
-        ),
-        Check::shown(
-            of("smallest radius, beside that of Gilmore"),
-            "R0",
-            found.first[1],
-            Some(gilmore.first[1]),
-            "shown: another law of compressible liquid",
-        ),
-        Check::shown(
-            of("radius of the first rebound, beside that of Gilmore"),
-            "R0",
-            found.second[1],
-            Some(gilmore.second[1]),
-            "shown: the laws differ by 14 % at 50 MPa, where the wall is as fast as sound",
-        ),
-        Check::relative(
-            of("time of the smallest radius"),
-            "s",
-            (found.first[0], exact.first[0]),
-            0.02,
-            TIME_REASON,
-        ),
-        Check::shown(
-            of("largest defect of the energy ledger until the smallest radius, in units of p V0"),
-            "-",
-            swing.defect(found.first[0]),
-            None,
-            "shown: the energy of the gas is part of the ledger",
-        ),
-        Check::absolute(
-            of("pockets that closed"),
-            "-",
-            (swing.closed as f64, 0.0),
-            0.0,
-            "the bubble is seen at all times",
-        ),
-    ])
+            rebound(n),
+            why_rebound,
+        ));
+    }
+    checks.push(Check::relative(
+        of("time of the smallest radius"),
+        "s",
+        (found.first[0], exact.first[0]),
+        0.02,
+        TIME_REASON,
+    ));
+    checks.push(Check::absolute(
+        of("largest defect of the energy ledger until the smallest radius, in units of p V0"),
+        "-",
+        (swing.defect(found.first[0]), 0.0),
+        0.01,
+        LEDGER_REASON,
+    ));
+    checks.push(Check::absolute(
+        of("radius before the bubble moves"),
+        "R0",
+        (swing.first_radius, 1.0),
+        0.2 / n,
+        "0.2/n: the surface lies between particles to a fifth of a spacing",
+    ));
+    checks.push(Check::absolute(
+        of("pockets that closed"),
+        "-",
+        (swing.closed as f64, 0.0),
+        0.0,
+        "the bubble is seen at all times",
+    ));
+    Ok(checks)
 }
 
 /// The bubble grows from rest and comes back: its period.
 fn own_frequency() -> Result<Vec<Check>, Failure> {
     let n = 10.0;
     let swing = run::run(&SWING, n)?;
-    let truth = SWING.theory(&KellerMiksis)?;
+    let truth = SWING.in_one_dimension(1.0)?;
     let (found, exact) = (
         Extremes::of_growth(&swing.curve)?,
         Extremes::of_growth(&truth.curve)?,
@@ -169,20 +254,19 @@ fn own_frequency() -> Result<Vec<Check>, Failure> {
         * run::R0
         * rest
         * (run::DENSITY / (3.0 * 1.4 * SWING.pressure)).sqrt();
+    let radius = |what: &str, found: [f64; 2], exact: [f64; 2]| {
+        let name = format!("swing, n = 10: {what} radius");
+        Check::relative(name, "R0", (found[1], exact[1]), 0.02, SWING_REASON)
+    };
     Ok(vec![
-        Check::relative(
-            "swing, n = 10: largest radius",
-            "R0",
-            (found.first[1], exact.first[1]),
-            0.02,
-            SWING_REASON,
-        ),
+        radius("largest", found.first, exact.first),
+        radius("following smallest", found.second, exact.second),
         Check::relative(
             "swing, n = 10: time from the largest to the smallest radius",
             "s",
             (half(&found), half(&exact)),
-            0.05,
-            SWING_REASON,
+            0.02,
+            TIME_REASON,
         ),
         Check::shown(
             "swing, n = 10: the same beside half a period of Minnaert",
@@ -190,6 +274,13 @@ fn own_frequency() -> Result<Vec<Check>, Failure> {
             half(&found),
             Some(0.5 * minnaert),
             "shown: small swings in a liquid without compressibility",
+        ),
+        Check::absolute(
+            "swing, n = 10: largest defect of the energy ledger until the smallest radius, in units of p V0",
+            "-",
+            (swing.defect(found.second[0]), 0.0),
+            0.01,
+            LEDGER_REASON,
         ),
     ])
 }
@@ -206,16 +297,30 @@ mod tests {
             ..SWING
         };
         let law: &dyn BubbleModel = &KellerMiksis;
-        let found = Extremes::of_growth(&small.theory(law).unwrap().curve).unwrap();
         let minnaert =
             std::f64::consts::TAU * run::R0 * (run::DENSITY / (4.2 * SWING.pressure)).sqrt();
-        // Sound that leaves slows it by a part in a hundred.
-        let half = found.second[0] - found.first[0];
-        assert!(
-            (half / (0.5 * minnaert) - 1.0).abs() < 0.02,
-            "{half} {minnaert}"
-        );
+        for theory in [small.theory(law), small.in_one_dimension(1.0)] {
+            let found = Extremes::of_growth(&theory.unwrap().curve).unwrap();
+            // Sound that leaves slows it by a part in a hundred.
+            let half = found.second[0] - found.first[0];
+            assert!(
+                (half / (0.5 * minnaert) - 1.0).abs() < 0.02,
+                "{half} {minnaert}"
+            );
+        }
         let gentle = Extremes::of_collapse(&GENTLE.theory(law).unwrap().curve).unwrap();
         assert!((gentle.first[1] - 0.288).abs() < 0.002);
+    }
+
+    #[test]
+    fn one_dimension_agrees_with_keller_and_miksis_where_the_wall_is_slow() {
+        let law = GENTLE.theory(&KellerMiksis).unwrap();
+        let truth = GENTLE.in_one_dimension(1.0).unwrap();
+        let [a, b] = [&law, &truth].map(|s| Extremes::of_collapse(&s.curve).unwrap());
+        for k in 0..2 {
+            // The wall has a Mach number of 0.06 at most; its square.
+            assert!((a.first[k] / b.first[k] - 1.0).abs() < 0.004, "{k}");
+            assert!((a.second[k] / b.second[k] - 1.0).abs() < 0.004, "{k}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! One bubble with gas, by particles and by a law of spherical bubbles.
 
+use super::spherical::Spherical;
 use crate::validate::Failure;
 use crate::validate::materials::water;
 use erode_physics::bubble::{self, BubbleModel, BubbleState, Constant, Controls, Liquid, advance};
@@ -12,6 +13,7 @@ use erode_sph::fluid::{Fluid, Formulation, Start};
 use erode_sph::packing::{Options, Spacing, pack};
 use erode_sph::shapes::{Region, Shape};
 use erode_sph::world::{Body, Named, World};
+use std::f64::consts::PI;
 
 /// Radius at the start, m.
 pub(super) const R0: f64 = 1e-4;
@@ -36,6 +38,8 @@ pub(super) struct Setting {
     pub(super) extent: f64,
     /// Time simulated, in collapse times 0.915 R0 sqrt(rho/p).
     pub(super) end: f64,
+    /// Thinnest shell of the calculation in one dimension, R0: a thirtieth of the smallest radius or less.
+    pub(super) finest_shell: f64,
 }
 
 /// Radius against time, and what was counted.
@@ -45,9 +49,21 @@ pub(super) struct Swing {
     /// Defect of the ledger at the same times, p V0.
     defects: Vec<f64>,
     pub(super) closed: u64,
+    /// Radius of the bubble before it moved, R0: particles fill the liquid around it to a part of a spacing.
+    pub(super) first_radius: f64,
 }
 
 impl Swing {
+    /// A radius known from theory.
+    fn of(curve: Vec<[f64; 2]>) -> Self {
+        Self {
+            curve,
+            defects: Vec::new(),
+            closed: 0,
+            first_radius: 1.0,
+        }
+    }
+
     /// Largest defect until a time, p V0.
     pub(super) fn defect(&self, until: f64) -> f64 {
         let all = self.curve.iter().zip(&self.defects);
@@ -133,11 +149,29 @@ impl Setting {
             .map_err(wrong)?;
             curve.push([time, state.radius / R0]);
         }
-        Ok(Swing {
-            curve,
-            defects: Vec::new(),
-            closed: 0,
-        })
+        Ok(Swing::of(curve))
+    }
+
+    /// The radius by the equations of the compressible liquid in one dimension, with shells finer by `refined`.
+    pub(super) fn in_one_dimension(&self, refined: f64) -> Result<Swing, Failure> {
+        let eos = water()?;
+        let end = self.end_time() * 1.1;
+        let gas = (self.gas_pressure, EXPONENT);
+        // Sound is not back from there before the end.
+        let extent = 1.0 + 0.6 * end * eos.sound_speed_at(eos.density(self.pressure)) / R0;
+        let shells = (self.finest_shell / refined, extent);
+        let mut bubble = Spherical::new(eos, self.pressure, gas, shells);
+        let mut curve = Vec::new();
+        while bubble.time * R0 < end {
+            bubble.step();
+            curve.push([bubble.time * R0, bubble.radius]);
+        }
+        if curve.iter().all(|p| p[1].is_finite()) {
+            Ok(Swing::of(curve))
+        } else {
+            let message = "the calculation in one dimension has no finite radius";
+            Err(Failure::Absent(message.into()))
+        }
     }
 
     fn liquid(&self, dx: f64) -> Result<Fluid, Failure> {
@@ -186,6 +220,7 @@ impl Setting {
             pressure: self.gas_pressure,
             polytropic_exponent: EXPONENT,
             limits: [[0.0, -2.0 * R0], [2.0 * R0; 2]],
+            ends: [[true, false], [false; 2]],
             cell: 0.5 * dx,
         };
         f.gas = Gas::fill(law, &f, &Ghosts::find(&f, &[]));
@@ -193,13 +228,14 @@ impl Setting {
     }
 }
 
-/// The same by `n` particles per radius.
+/// The same by `n` particles per radius. Times are those of a bubble of the radius R0: all of them are proportional to the radius
+/// of the bubble, the only length.
 pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
     let body = Body::Fluid(setting.liquid(R0 / n)?);
     let name = "water".into();
     let mut world = World::new(vec![Named { name, body }], 0.3)?;
     let (mut curve, mut defects) = (Vec::new(), Vec::new());
-    let (mut start, mut closed) = (None, 0);
+    let (mut start, mut closed, mut first_radius) = (None, 0, 1.0);
     while world.time < setting.end_time() {
         let dt = world.stable_time_step().0;
         world.advance(dt)?;
@@ -213,7 +249,9 @@ pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
         let energy = f.kinetic_energy() + f.compression_energy() + gas.energy() + gas.lost;
         let balance = energy + account.dissipation - account.far_field_work;
         let first = *start.get_or_insert(balance);
-        curve.push([world.time, (gas.volume() / gas.first_volume).cbrt()]);
+        first_radius = (0.75 * gas.first_volume / PI).cbrt() / R0;
+        let radius = (gas.volume() / gas.first_volume).cbrt();
+        curve.push([world.time / first_radius, radius]);
         defects.push((balance - first) / (setting.pressure * gas.first_volume));
         closed = gas.closed;
     }
@@ -221,5 +259,6 @@ pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
         curve,
         defects,
         closed,
+        first_radius,
     })
 }

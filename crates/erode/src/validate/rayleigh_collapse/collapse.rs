@@ -205,7 +205,7 @@ fn refine(world: &mut World, asked: &Refinement, dx: f64, known: f64) -> usize {
         return 0;
     };
     if Refinement::is_due(step) {
-        let found = fronts(f, &[], window(known, dx, 0.5 * dx));
+        let found = fronts(f, &[], window(known, dx, 0.5 * dx), asked.smallest);
         f.refine(asked, &found, step);
     }
     f.len()

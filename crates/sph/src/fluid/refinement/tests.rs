@@ -251,7 +251,7 @@ fn collapse(steps: u64) -> Fluid {
         let Body::Fluid(f) = &mut world.bodies[0].body else {
             unreachable!()
         };
-        let found = fronts(f, &[], window);
+        let found = fronts(f, &[], window, refinement.smallest);
         f.refine(&refinement, &found, world.step);
     }
     let Some(Body::Fluid(f)) = world.bodies.pop().map(|b| b.body) else {
