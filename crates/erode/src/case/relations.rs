@@ -3,6 +3,7 @@
 use super::{
     body::{Built, named},
     error::{Findings, Span},
+    format::si,
     layers,
     simulation::{BodyKind, Bubble, FluidFormulation, Probe, Side},
     suggest::did_you_mean,
@@ -41,8 +42,10 @@ fn check_fill(b: &Built, geometry: Geometry, findings: &mut Findings) {
     let finest = b.body.spacing.finest;
     if finest * 2.0 > smallest {
         let message = format!(
-            "the spacing {finest} m does not fit into `{}`, which is {smallest} m thin",
-            b.body.name
+            "the spacing {} does not fit into `{}`, which is {} thin",
+            si(finest, "m"),
+            b.body.name,
+            si(smallest, "m")
         );
         let help = "at least two particles must fit across a body; ten are needed for a result";
         findings.error(b.resolution, message, "too coarse", help);
@@ -202,8 +205,8 @@ fn check_interface(
     let gap = edge(b, k) - edge(other, FACING[k]);
     if gap.abs() > 1e-6 * b.body.spacing.finest {
         let message = format!(
-            "there is a gap of {} m between `{own}` and `{name}`",
-            gap.abs()
+            "there is a gap of {} between `{own}` and `{name}`",
+            si(gap.abs(), "m")
         );
         findings.error(
             span,

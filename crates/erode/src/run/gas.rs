@@ -6,9 +6,6 @@ use erode_sph::fluid::gas::{Gas, GasLaw};
 use erode_sph::fluid::ghosts::{Ghosts, Plane, Wall};
 use erode_sph::world::{Body, World};
 
-/// Cavities hold gas within this many radii of the bubble's centre: it may grow to that.
-const REACH: f64 = 2.5;
-
 /// Fills the bubble of a case with its gas.
 ///
 /// # Errors
@@ -49,7 +46,7 @@ pub(super) fn fill(world: &mut World, simulation: &Simulation) -> Result<(), Run
 /// The gas, and where cavities hold it: near the bubble, inside the liquid.
 fn law(bubble: &Bubble, gas: BubbleGas, body: &crate::case::Body) -> GasLaw {
     let (lower, upper) = body.shape.bounding_box();
-    let reach = REACH * bubble.radius;
+    let reach = BubbleGas::REACH * bubble.radius;
     let low = |k: usize| (bubble.centre[k] - reach).max(lower[k]);
     let high = |k: usize| (bubble.centre[k] + reach).min(upper[k]);
     GasLaw {
