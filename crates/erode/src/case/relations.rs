@@ -29,7 +29,32 @@ pub(crate) fn check(bodies: &[Built], complete: bool, geometry: Geometry, findin
         for other in &bodies[..i] {
             check_overlap(other, b, findings);
         }
+        if let Some(other) = bodies[..i].iter().find(|o| are_of_a_kind(o, b)) {
+            check_pair(other, b, findings);
+        }
     }
+}
+
+fn are_of_a_kind(a: &Built, b: &Built) -> bool {
+    matches!(
+        (&a.body.kind, &b.body.kind),
+        (BodyKind::Fluid(_), BodyKind::Fluid(_)) | (BodyKind::Solid(_), BodyKind::Solid(_))
+    )
+}
+
+/// The table of interactions has none between bodies of a kind.
+fn check_pair(a: &Built, b: &Built, findings: &mut Findings) {
+    let kind = match b.body.kind {
+        BodyKind::Fluid(_) => "liquids",
+        BodyKind::Solid(_) => "solids",
+    };
+    let message = format!(
+        "`{}` and `{}` are both {kind}, which this version does not let act on each other",
+        a.body.name, b.body.name
+    );
+    let help =
+        "a case has one liquid, one solid, or one of each; a coating is a layer of its solid";
+    findings.error(b.at, message, "one too many", help);
 }
 
 /// A body needs room for some particles.

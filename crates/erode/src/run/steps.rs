@@ -141,8 +141,10 @@ impl Run {
             finding = match self.world.advance(dt) {
                 Ok(()) => {
                     loads::settle(&mut self.world, loads, dt);
-                    refinement::follow(&mut self.world, &self.simulation, self.cell);
-                    watch::implausible(&self.world)
+                    match refinement::follow(&mut self.world, &self.simulation, self.cell) {
+                        Ok(()) => watch::implausible(&self.world),
+                        Err(error) => Some(watch::failed_step(error, &limiter)?),
+                    }
                 }
                 Err(error) => Some(watch::failed_step(error, &limiter)?),
             };
