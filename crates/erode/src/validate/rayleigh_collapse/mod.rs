@@ -24,7 +24,7 @@ const FULL: &[usize] = &[15, 30, 60];
 
 /// Particles per radius at the start, and of the radius that the cavity has later.
 const REFINED: (usize, usize) = (30, 20);
-const REFINED_QUICK: (usize, usize) = (15, 10);
+const REFINED_QUICK: (usize, usize) = (15, 15);
 
 /// Radii between which times are judged, R/R0.
 const RANGE: (f64, f64) = (0.3, 0.94);
@@ -296,32 +296,4 @@ fn speed_figure(runs: &[Collapse], reference: &Reference) -> Figure {
     let points = shown().map(|r| [r.radius, r.speed]).collect();
     figure.add("reference, compressible", Style::Dashed, points);
     figure
-}
-
-#[cfg(test)]
-mod experiment {
-    #[test]
-    fn refined_numbers() {
-        let reference = super::reference::read().unwrap();
-        for (n, kept) in [(15, 10), (15, 15), (15, 20)] {
-            let begun = std::time::Instant::now();
-            let run = super::collapse::run(n, Some(kept)).unwrap();
-            println!(
-                "{n} {kept}: {} s, {}",
-                begun.elapsed().as_secs_f64(),
-                super::refined::note(&run)
-            );
-            match super::refined::judge(&run, &reference) {
-                Ok(checks) => {
-                    for c in checks {
-                        println!(
-                            "  {}: {:e} {:?} error {:?} {}",
-                            c.quantity, c.value, c.reference, c.error, c.passed
-                        );
-                    }
-                }
-                Err(e) => println!("  {e}"),
-            }
-        }
-    }
 }
