@@ -21,3 +21,33 @@ fn gas_was_cut(summary: &Summary) -> Option<String> {
         BubbleGas::REACH
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    /// A spacing of 2.5 um fits a coating of 20 um; one of 12.5 um makes two rows of it.
+    #[test]
+    fn gas_that_was_cut_and_layers_of_other_thickness_are_told() {
+        let text = include_str!("../../../../cases/coated-steel/case.toml");
+        let told = |particles: u32, cut: f64| {
+            let set = format!("setup.pressure_pulse.particles_per_radius={particles}");
+            let simulation = Case::parse("case.toml", text, &[set]).unwrap();
+            let world = crate::run::world(&simulation).unwrap();
+            let mut summary = Summary::default();
+            summary.set_ledger("gas_steps_cut", "-", cut);
+            of(&summary, &world, &simulation).join("\n")
+        };
+        assert_eq!(told(20, 0.0), "");
+        let coarse = told(4, 3.0);
+        assert!(
+            coarse.starts_with("in 3 steps the gas reached beyond 2.5 initial radii"),
+            "{coarse}"
+        );
+        assert!(
+            coarse.contains("layer 1 (copper_ofhc) is ") && coarse.contains(" of the 20 um asked for"),
+            "{coarse}"
+        );
+    }
+}
