@@ -1,5 +1,7 @@
 //! The documents say what is there: commands, paths, names.
 
+#![allow(clippy::unwrap_used)]
+
 use erode::case::{Case, json_schema};
 use erode::output::{RunPaths, Snapshot, Table};
 use erode::run::{self, Ended, Quiet, Start};

@@ -46,7 +46,8 @@ mod tests {
             "{coarse}"
         );
         assert!(
-            coarse.contains("layer 1 (copper_ofhc) is ") && coarse.contains(" of the 20 um asked for"),
+            coarse.contains("layer 1 (copper_ofhc) is ")
+                && coarse.contains(" of the 20 um asked for"),
             "{coarse}"
         );
     }

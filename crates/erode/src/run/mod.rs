@@ -2,6 +2,7 @@
 
 mod background;
 mod bubble_cloud;
+mod bubble_state;
 mod build;
 mod course;
 mod drive;
@@ -27,12 +28,12 @@ mod strain_profile;
 mod watch;
 mod writing;
 
+pub use bubble_state::{BubbleState, bubble};
 pub use build::world;
 pub use drive::{Ended, Start, resume, start};
 pub use error::RunError;
 pub use ledger::Ledger;
 pub use metal::Metal;
-pub use monitor::{BubbleState, bubble};
 pub use observer::{Observer, Progress, Quiet};
 pub(crate) use state::{accounts, store as store_state};
 pub use strain_profile::{Column, columns, off_axis_maximum};

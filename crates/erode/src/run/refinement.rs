@@ -1,7 +1,7 @@
 //! Refinement that follows the bubble of a run, and its part of a checkpoint.
 
 use super::RunError;
-use super::monitor::{wetted, window};
+use super::bubble_state::{wetted, window};
 use crate::case::{BodyKind, Simulation};
 use crate::output::Checkpoint;
 use erode_sph::cavity::fronts;

@@ -1,9 +1,10 @@
 //! The final numbers of a run and their comparison with the source.
 
+use super::bubble_state::equivalent_radius;
 use super::layers;
 use super::ledger::Ledger;
 use super::metal::Metal;
-use super::monitor::{Record, equivalent_radius, liquid, solid};
+use super::monitor::{Record, liquid, solid};
 use super::strain_profile::{Column, columns, off_axis_maximum};
 use crate::analysis::published::{ATTACHED_STRAIN, DETACHED_STRAIN};
 use crate::analysis::{YIELDED, bubble_energy, plastic_potential};
