@@ -27,7 +27,7 @@ mod tests {
     use super::*;
     use crate::case::Case;
 
-    /// A spacing of 2.5 um fits a coating of 20 um; one of 12.5 um makes two rows of it.
+    /// A spacing of 2.5 um fits a coating of 20 um; one of 8.3 um makes two rows of it.
     #[test]
     fn gas_that_was_cut_and_layers_of_other_thickness_are_told() {
         let text = include_str!("../../../../cases/coated-steel/case.toml");
@@ -40,7 +40,7 @@ mod tests {
             of(&summary, &world, &simulation).join("\n")
         };
         assert_eq!(told(20, 0.0), "");
-        let coarse = told(4, 3.0);
+        let coarse = told(6, 3.0);
         assert!(
             coarse.starts_with("in 3 steps the gas reached beyond 2.5 initial radii"),
             "{coarse}"
