@@ -71,11 +71,11 @@ fn layers_that_do_not_fit_are_refused() {
         &[
             "layer 1 (copper_ofhc)",
             "less than the particle spacing",
-            "3.750e-6 m",
+            "15 um thick",
         ],
     );
     let both = format!("{}, {}", copper("0.5 mm"), copper("0.4 mm"));
-    refused(&layered(&both, ""), &["m thick together", "0.0008 m high"]);
+    refused(&layered(&both, ""), &["thick together", "800 um high"]);
     refused(
         &layered(&copper("0.1 mm"), "solid.formulation.joshi = {}"),
         &["one material and no layers"],

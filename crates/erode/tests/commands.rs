@@ -59,6 +59,21 @@ fn the_resolved_case_is_a_case_and_the_same_one() {
 }
 
 #[test]
+fn a_check_tells_of_gas_and_refinement() {
+    let case = |name: &str| format!("{}/../../cases/{name}", env!("CARGO_MANIFEST_DIR"));
+    let gas = says(&["check", &case("gas-rebound")]);
+    assert!(gas.contains("gas at 100 kPa, exponent 1.4"), "{gas}");
+    let refinement = "setup.bubble_near_wall.liquid_formulation.corrected.refinement={per_radius=20, smallest=0.1}";
+    let refined = says(&["check", &case("bubble-near-steel"), "--set", refinement]);
+    // A tenth of 0.15 mm by 20; the step of a spacing of 5 um by 6.67.
+    assert!(
+        refined.contains("20 particles per radius down to 0.1 of the first: spacing 750 nm"),
+        "{refined}"
+    );
+    assert!(!gas.contains("refinement") && !refined.contains("gas at"));
+}
+
+#[test]
 fn materials_beside_the_case_are_used() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path().to_str().unwrap();
@@ -116,6 +131,12 @@ fn help_teaches() {
         "First steps",
     ] {
         assert!(help.contains(word), "{word}");
+    }
+    // Lines that were wrapped by hand are not wrapped again.
+    let codes = help.split("Exit codes:\n").nth(1).unwrap();
+    for line in codes.lines().filter(|l| !l.is_empty()) {
+        let begins = line.starts_with("    ") || line.as_bytes()[2].is_ascii_digit();
+        assert!(line.starts_with("  ") && begins, "{line}");
     }
     for command in [
         "new",

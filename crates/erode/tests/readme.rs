@@ -1,5 +1,7 @@
 //! The documents say what is there: commands, paths, names.
 
+#![allow(clippy::unwrap_used)]
+
 use erode::case::{Case, json_schema};
 use erode::output::{RunPaths, Snapshot, Table};
 use erode::run::{self, Ended, Quiet, Start};
@@ -154,14 +156,27 @@ fn every_key_of_a_case_is_explained() {
 
 #[test]
 fn every_name_in_a_run_folder_is_explained() {
+    names_of_a_run(
+        "bubble-near-steel",
+        "setup.bubble_near_wall.particles_per_radius=8",
+        &["wall_centre", "steel_below_surface"],
+        &["liquid", "wall"],
+    );
+    // Gas has names of its own.
+    names_of_a_run(
+        "gas-rebound",
+        "setup.bubble_in_liquid.particles_per_radius=6",
+        &["beside"],
+        &["liquid"],
+    );
+}
+
+fn names_of_a_run(case: &str, coarse: &str, probes: &[&str], bodies: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let output = folder.path().join("run");
     let start = Start {
-        case: root().join("cases/bubble-near-steel"),
-        overrides: vec![
-            "setup.bubble_near_wall.particles_per_radius=8".into(),
-            "run.max_steps=2".into(),
-        ],
+        case: root().join("cases").join(case),
+        overrides: vec![coarse.into(), "run.max_steps=2".into()],
         output: output.clone(),
         threads: None,
     };
@@ -169,16 +184,12 @@ fn every_name_in_a_run_folder_is_explained() {
     assert!(matches!(ended, Ended::Done { .. }));
     let paths = RunPaths::existing(&output).unwrap();
 
-    let tables = [
-        paths.history(),
-        paths.probe("wall_centre"),
-        paths.probe("steel_below_surface"),
-    ];
-    for path in tables {
+    let tables = probes.iter().map(|p| paths.probe(p));
+    for path in tables.chain([paths.history()]) {
         let table = Table::read(&path).unwrap();
         explained(table.columns.into_iter().map(|c| c.name));
     }
-    for body in ["liquid", "wall"] {
+    for body in bodies {
         let snapshot = Snapshot::read(&paths.snapshot(body, 0)).unwrap();
         explained(snapshot.fields.into_iter().map(|f| f.name));
     }

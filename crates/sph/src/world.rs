@@ -292,7 +292,11 @@ impl World {
         }
     }
 
-    fn check_finite(&self) -> Result<(), WorldError> {
+    /// Every position and velocity is a finite number: also for what is done between steps.
+    ///
+    /// # Errors
+    /// The first one that is not.
+    pub fn check_finite(&self) -> Result<(), WorldError> {
         for named in &self.bodies {
             let (position, velocity) = match &named.body {
                 Body::Fluid(f) => (&f.position, &f.velocity),

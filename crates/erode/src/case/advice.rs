@@ -2,7 +2,9 @@
 
 use super::{
     estimate::estimate,
-    simulation::{Body, BodyKind, Bubble, Side, Simulation},
+    format::si,
+    layers,
+    simulation::{Body, BodyKind, Bubble, BubbleGas, Side, Simulation},
 };
 
 /// Sentences about a case that a user should read before a long run.
@@ -18,6 +20,7 @@ pub fn check_advice(simulation: &Simulation) -> Vec<String> {
     }
     for body in &simulation.bodies {
         interface_advice(simulation, body, &mut advice);
+        layer_advice(body, &mut advice);
     }
     load_advice(simulation, &mut advice);
     let safety = simulation.run.safety;
@@ -50,7 +53,24 @@ fn many_rows(s: &Simulation, advice: &mut Vec<String>) {
     }
 }
 
+/// A gas bubble that grows swings past its equilibrium before it rests there: by a third from 20 times the pressure of the
+/// liquid, here by half.
+const SWING: f64 = 1.5;
+
+/// Gas must have room to grow.
+fn gas_advice(bubble: &Bubble, advice: &mut Vec<String>) {
+    let Some(gas) = bubble.gas else { return };
+    let rest = gas.equilibrium(bubble.driving_pressure);
+    if rest * SWING > BubbleGas::REACH {
+        advice.push(format!(
+            "the gas is at rest at {rest:.2} radii of the bubble and swings beyond that; it is followed to {} radii, and cut there",
+            BubbleGas::REACH
+        ));
+    }
+}
+
 fn bubble_advice(s: &Simulation, bubble: &Bubble, advice: &mut Vec<String>) {
+    gas_advice(bubble, advice);
     for body in &s.bodies {
         let BodyKind::Fluid(fluid) = &body.kind else {
             continue;
@@ -134,6 +154,26 @@ fn load_advice(s: &Simulation, advice: &mut Vec<String>) {
                 "the indenter goes down by {:.0} % of the height of `{}`: its lower side acts on the result",
                 100.0 * i.depth / (upper[1] - lower[1]),
                 i.body
+            ));
+        }
+    }
+}
+
+/// A layer thinner than the spacing at the far end of the body is not what was asked for there.
+fn layer_advice(body: &Body, advice: &mut Vec<String>) {
+    let BodyKind::Solid(solid) = &body.kind else {
+        return;
+    };
+    for (k, layer) in solid.layers.iter().enumerate() {
+        let [_, coarsest] = layers::spacings(body, &solid.layers, k);
+        if layer.thickness * (1.0 + 1e-9) < coarsest {
+            advice.push(format!(
+                "layer {} ({}) of `{}` is {} thick, less than the spacing of {} at its far end: whole rows make it thicker there, or leave it out",
+                k + 1,
+                layer.material,
+                body.name,
+                si(layer.thickness, "m"),
+                si(coarsest, "m")
             ));
         }
     }

@@ -43,6 +43,10 @@ pub(crate) fn simulation(
     let probes = probes(f, &bodies, complete, findings);
     relations::check(&bodies, complete, geometry, findings);
     let gas = bubble.as_ref().is_some_and(|b| b.gas.is_some());
+    let holder = f.table("bubble").or(f.chosen("setup").map(|(_, s)| s));
+    if let (Some(bubble), Some(holder)) = (&bubble, holder) {
+        relations::check_gas(bubble, &bodies, holder.at("gas"), findings);
+    }
     relations::check_refinement(&bodies, bubble.is_some() || !complete, gas, findings);
     estimate::check_memory(&bodies, geometry, findings);
     let title = f.text("title")?;
@@ -265,7 +269,6 @@ fn own_bubble(
         driving_pressure: b.number("driving_pressure")?,
         gas: gas(b)?,
     };
-    relations::check_gas(&bubble, bodies, b.at("gas"), findings);
     if complete {
         relations::check_bubble(&bubble, bodies, b.at("centre"), findings);
     }

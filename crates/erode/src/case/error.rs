@@ -1,7 +1,7 @@
 //! Errors of a case, each with its place in the text; all of one pass are kept together.
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
-use std::{fmt, sync::Arc};
+use std::{fmt, path::Path, sync::Arc};
 
 /// A place in one of the texts that make up a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,6 +46,14 @@ impl CaseError {
             help: Some(help.into()),
             place: None,
         }
+    }
+
+    /// The same error with the run of a sweep whose setting it is in; one in the case itself stays as it is.
+    pub(crate) fn of_run(mut self, run: &str, sweep: &Path) -> Self {
+        if self.position().is_some_and(|(name, ..)| name == "--set") {
+            self.message = format!("run `{run}` of {}: {}", sweep.display(), self.message);
+        }
+        self
     }
 
     /// File (or `--set`), line and column, counted from 1, if the error has a place.

@@ -3,7 +3,7 @@
 use super::{
     body::Built,
     error::Findings,
-    simulation::{Body, BodyKind, Side, Simulation},
+    simulation::{Body, BodyKind, Refinement, Side, Simulation},
 };
 use erode_sph::{
     Geometry,
@@ -35,6 +35,19 @@ pub struct Estimate {
     pub steps: f64,
     /// Wall time, s.
     pub wall_time: f64,
+    /// Where a liquid is refined most, if one is; steps and times above are those without it.
+    pub refined: Option<Refined>,
+}
+
+/// The finest that refinement makes of a liquid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refined {
+    /// What is asked for.
+    pub asked: Refinement,
+    /// Spacing at the smallest radius that is followed, m.
+    pub spacing: f64,
+    /// Time step there, s.
+    pub step: f64,
 }
 
 /// Estimates size and cost.
@@ -47,8 +60,7 @@ pub fn estimate(simulation: &Simulation) -> Estimate {
         .map(|b| particles(b, geometry))
         .collect();
     let total: f64 = particles.iter().sum();
-    let step_of =
-        |b: &Body| simulation.run.safety * SMOOTHING * b.spacing.finest / wave_speed(b, simulation);
+    let step_of = |b: &Body| step(b, b.spacing.finest, simulation);
     let mut limit = (f64::INFINITY, "");
     for body in &simulation.bodies {
         if step_of(body) < limit.0 {
@@ -67,8 +79,29 @@ pub fn estimate(simulation: &Simulation) -> Estimate {
         limited_by: limit.1.to_owned(),
         steps,
         wall_time: total * steps / PARTICLE_STEPS_PER_SECOND,
+        refined: refined(simulation),
         particles,
     }
+}
+
+fn step(body: &Body, spacing: f64, simulation: &Simulation) -> f64 {
+    simulation.run.safety * SMOOTHING * spacing / wave_speed(body, simulation)
+}
+
+fn refined(simulation: &Simulation) -> Option<Refined> {
+    let bubble = simulation.bubble?;
+    simulation.bodies.iter().find_map(|body| {
+        let BodyKind::Fluid(fluid) = &body.kind else {
+            return None;
+        };
+        let asked = fluid.refinement()?;
+        let spacing = asked.smallest * bubble.radius / asked.per_radius;
+        Some(Refined {
+            asked,
+            spacing,
+            step: step(body, spacing, simulation),
+        })
+    })
 }
 
 /// About how many particles fill a body.

@@ -6,6 +6,7 @@ use super::{
     keys_material::{ELASTIC, STRENGTH, TAIT},
     keys_region::{SHAPE, SIDES},
     schema::{
+        Key,
         Kind::{List, Name, Pair, Property, Quantity, Switch, Table as Nested, Text},
         Range::{NotNegative, Positive, Within},
         Table, default, optional, required, table,
@@ -113,22 +114,44 @@ static REFINEMENT: Table = table(
     ],
 );
 
+const ALPHA_KEY: Key = default(
+    "alpha",
+    Quantity(NUMBER, NotNegative),
+    "1",
+    "linear artificial viscosity",
+);
+const BETA_KEY: Key = default(
+    "beta",
+    Quantity(NUMBER, NotNegative),
+    "2",
+    "quadratic artificial viscosity",
+);
+
 static JOSHI_FLUID: Table = table(
     "as published (Joshi 2018): summation density with f1, artificial viscosity",
-    &[
-        default(
-            "alpha",
-            Quantity(NUMBER, NotNegative),
-            "1",
-            "linear artificial viscosity",
-        ),
-        default(
-            "beta",
-            Quantity(NUMBER, NotNegative),
-            "2",
-            "quadratic artificial viscosity",
-        ),
-    ],
+    &[ALPHA_KEY, BETA_KEY],
+);
+
+const DENSITY_KEY: Key = optional(
+    "density",
+    Property(DENSITY, Positive),
+    "density; replaces the material's",
+);
+const ELASTIC_KEY: Key = optional(
+    "elastic",
+    Nested(&ELASTIC),
+    "constants that replace those of the material",
+);
+const STRENGTH_KEY: Key = optional(
+    "strength",
+    Nested(&STRENGTH),
+    "yield law that replaces that of the material",
+);
+const STRAIN_RATE_KEY: Key = default(
+    "strain_rate",
+    Switch,
+    "true",
+    "whether the yield stress grows with the strain rate",
 );
 
 /// Layers of other materials at the top of a solid; also in setups.
@@ -141,32 +164,15 @@ pub(crate) static LAYER: Table = table(
             "thickness, at least one particle spacing",
         ),
         required("material", Text, "name in the material library"),
-        optional(
-            "density",
-            Property(DENSITY, Positive),
-            "density; replaces the material's",
-        ),
-        optional(
-            "elastic",
-            Nested(&ELASTIC),
-            "constants that replace those of the material",
-        ),
-        optional(
-            "strength",
-            Nested(&STRENGTH),
-            "yield law that replaces that of the material",
-        ),
+        DENSITY_KEY,
+        ELASTIC_KEY,
+        STRENGTH_KEY,
         optional(
             "damage",
             Nested(&DAMAGE),
             "law by which the layer fails; constants not given are the material's, without this key it never fails",
         ),
-        default(
-            "strain_rate",
-            Switch,
-            "true",
-            "whether the yield stress grows with the strain rate",
-        ),
+        STRAIN_RATE_KEY,
         default(
             "thermal_softening",
             Switch,
@@ -185,32 +191,15 @@ static SOLID: Table = table(
             List(&LAYER),
             "layers of other materials at the top, the first one uppermost",
         ),
-        optional(
-            "density",
-            Property(DENSITY, Positive),
-            "density; replaces the material's",
-        ),
-        optional(
-            "elastic",
-            Nested(&ELASTIC),
-            "constants that replace those of the material",
-        ),
-        optional(
-            "strength",
-            Nested(&STRENGTH),
-            "yield law that replaces that of the material",
-        ),
+        DENSITY_KEY,
+        ELASTIC_KEY,
+        STRENGTH_KEY,
         optional(
             "damage",
             Nested(&DAMAGE),
             "law by which it fails; constants not given are the material's, without this key it never fails",
         ),
-        default(
-            "strain_rate",
-            Switch,
-            "true",
-            "whether the yield stress grows with the strain rate",
-        ),
+        STRAIN_RATE_KEY,
         default(
             "thermal_softening",
             Switch,
@@ -270,18 +259,8 @@ static TOTAL_LAGRANGIAN: Table = table(
 static JOSHI_SOLID: Table = table(
     "as published (Joshi 2018): updated configuration",
     &[
-        default(
-            "alpha",
-            Quantity(NUMBER, NotNegative),
-            "1",
-            "linear artificial viscosity",
-        ),
-        default(
-            "beta",
-            Quantity(NUMBER, NotNegative),
-            "2",
-            "quadratic artificial viscosity",
-        ),
+        ALPHA_KEY,
+        BETA_KEY,
         default(
             "xsph",
             Quantity(NUMBER, Within(0.0, 1.0)),

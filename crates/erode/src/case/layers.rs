@@ -3,9 +3,10 @@
 use super::{
     body::Built,
     error::{Findings, Span},
+    format::si,
     laws,
     node::Fields,
-    simulation::{BodyKind, Layer, SolidFormulation},
+    simulation::{Body, BodyKind, Layer, SolidFormulation},
 };
 use crate::materials::Library;
 
@@ -53,13 +54,15 @@ pub(crate) fn check(b: &Built, findings: &mut Findings) {
     let all: f64 = solid.layers.iter().map(|l| l.thickness).sum();
     if all >= height {
         let message = format!(
-            "the layers of `{name}` are {all} m thick together, the body is {height} m high"
+            "the layers of `{name}` are {} thick together, the body is {} high",
+            si(all, "m"),
+            si(height, "m")
         );
         let help = "what is left below the layers is of the body's own material; make them thinner or the body higher";
         findings.error(at, message, "beyond the body", help);
     }
-    let finest = b.body.spacing.finest;
     for (k, layer) in solid.layers.iter().enumerate() {
+        let [finest, _] = spacings(&b.body, &solid.layers, k);
         if layer.thickness * (1.0 + 1e-9) < finest {
             too_thin(at, k, layer, finest, findings);
         }
@@ -71,16 +74,29 @@ pub(crate) fn check(b: &Built, findings: &mut Findings) {
     }
 }
 
+/// Smallest and largest spacing of the particles along the middle of layer `k`, m.
+pub(crate) fn spacings(body: &Body, layers: &[Layer], k: usize) -> [f64; 2] {
+    let (lower, upper) = body.shape.bounding_box();
+    let above: f64 = layers[..k].iter().map(|l| l.thickness).sum();
+    let height = upper[1] - above - 0.5 * layers[k].thickness;
+    let core = body.spacing.core.as_ref().map(|c| c.bounding_box());
+    let middle = core.map_or(lower[0], |(l, u)| 0.5 * (l[0] + u[0]));
+    let at = |r: f64| body.spacing.at([r, height]);
+    let ends = at(lower[0]).max(at(upper[0]));
+    [at(middle.clamp(lower[0], upper[0])), ends]
+}
+
 fn too_thin(at: Span, k: usize, layer: &Layer, finest: f64, findings: &mut Findings) {
     let message = format!(
-        "layer {} ({}) is {} m thick, less than the particle spacing of {finest} m",
+        "layer {} ({}) is {} thick, less than the particle spacing of {} at its depth",
         k + 1,
         layer.material,
-        layer.thickness
+        si(layer.thickness, "m"),
+        si(finest, "m")
     );
     let help = format!(
-        "a layer needs one row of particles at least, four or more to be resolved: a spacing of {:.3e} m or less",
-        layer.thickness / 4.0
+        "a layer needs one row of particles at least, four or more to be resolved: a spacing of {} or less",
+        si(layer.thickness / 4.0, "m")
     );
     findings.error(at, message, "too thin", help);
 }

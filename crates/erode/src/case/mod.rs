@@ -15,6 +15,7 @@ pub mod cloud;
 mod cloud_flow;
 pub(crate) mod error;
 pub mod estimate;
+pub mod format;
 mod json_schema;
 pub(crate) mod keys;
 mod keys_body;

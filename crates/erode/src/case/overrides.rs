@@ -75,9 +75,18 @@ fn relocate(table: &mut RawTable, value: Span) {
     }
 }
 
-/// Lays `over` on `base`: tables are merged key by key, everything else is replaced.
+/// Lays `over` on `base`: tables are merged key by key, everything else is replaced; an empty list takes one away.
 fn merge(base: &mut RawTable, over: RawTable, findings: &mut Findings) {
     for entry in over.entries {
+        if matches!(&entry.value.value, RawValue::List(new) if new.is_empty()) {
+            let (before, is_list) = (base.entries.len(), |e: &Entry| {
+                matches!(e.value.value, RawValue::List(_))
+            });
+            base.entries.retain(|e| e.key != entry.key || !is_list(e));
+            if base.entries.len() < before {
+                continue;
+            }
+        }
         match base.entries.iter_mut().find(|e| e.key == entry.key) {
             None => base.entries.push(entry),
             Some(old) => merge_entry(old, entry, findings),

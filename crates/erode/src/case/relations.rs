@@ -3,6 +3,7 @@
 use super::{
     body::{Built, named},
     error::{Findings, Span},
+    format::si,
     layers,
     simulation::{BodyKind, Bubble, FluidFormulation, Probe, Side},
     suggest::did_you_mean,
@@ -28,7 +29,32 @@ pub(crate) fn check(bodies: &[Built], complete: bool, geometry: Geometry, findin
         for other in &bodies[..i] {
             check_overlap(other, b, findings);
         }
+        if let Some(other) = bodies[..i].iter().find(|o| are_of_a_kind(o, b)) {
+            check_pair(other, b, findings);
+        }
     }
+}
+
+fn are_of_a_kind(a: &Built, b: &Built) -> bool {
+    matches!(
+        (&a.body.kind, &b.body.kind),
+        (BodyKind::Fluid(_), BodyKind::Fluid(_)) | (BodyKind::Solid(_), BodyKind::Solid(_))
+    )
+}
+
+/// The table of interactions has none between bodies of a kind.
+fn check_pair(a: &Built, b: &Built, findings: &mut Findings) {
+    let kind = match b.body.kind {
+        BodyKind::Fluid(_) => "liquids",
+        BodyKind::Solid(_) => "solids",
+    };
+    let message = format!(
+        "`{}` and `{}` are both {kind}, which this version does not let act on each other",
+        a.body.name, b.body.name
+    );
+    let help =
+        "a case has one liquid, one solid, or one of each; a coating is a layer of its solid";
+    findings.error(b.at, message, "one too many", help);
 }
 
 /// A body needs room for some particles.
@@ -41,8 +67,10 @@ fn check_fill(b: &Built, geometry: Geometry, findings: &mut Findings) {
     let finest = b.body.spacing.finest;
     if finest * 2.0 > smallest {
         let message = format!(
-            "the spacing {finest} m does not fit into `{}`, which is {smallest} m thin",
-            b.body.name
+            "the spacing {} does not fit into `{}`, which is {} thin",
+            si(finest, "m"),
+            b.body.name,
+            si(smallest, "m")
         );
         let help = "at least two particles must fit across a body; ten are needed for a result";
         findings.error(b.resolution, message, "too coarse", help);
@@ -202,8 +230,8 @@ fn check_interface(
     let gap = edge(b, k) - edge(other, FACING[k]);
     if gap.abs() > 1e-6 * b.body.spacing.finest {
         let message = format!(
-            "there is a gap of {} m between `{own}` and `{name}`",
-            gap.abs()
+            "there is a gap of {} between `{own}` and `{name}`",
+            si(gap.abs(), "m")
         );
         findings.error(
             span,

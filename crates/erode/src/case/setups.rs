@@ -3,7 +3,8 @@
 use super::{
     body::Built,
     build,
-    error::Findings,
+    error::{Findings, Span},
+    format::si,
     laws, layers,
     loads::Loads,
     node::Fields,
@@ -167,6 +168,9 @@ fn bubble_near_wall(
     let damage = laws::damage(f, "wall", library, findings);
     let layers = layers::read(f, "wall_layers", library, findings);
     let (n, eos, (density, elastic, strength)) = (numbers?, eos?, solid?);
+    if let Some(gas) = gas {
+        check_driven(gas, n.pressure, f.at("gas"), findings);
+    }
     let fluid = Fluid {
         material: f.text("liquid")?.to_owned(),
         eos,
@@ -316,6 +320,20 @@ pub(super) fn symmetry(geometry: Geometry) -> Side {
     match geometry {
         Geometry::Axisymmetric => Side::Axis,
         Geometry::Plane => Side::Rigid,
+    }
+}
+
+/// The liquid is at rest at the pressure of the gas until the wave arrives, which must press it.
+fn check_driven(gas: BubbleGas, pressure: f64, at: Span, findings: &mut Findings) {
+    if gas.pressure >= pressure {
+        let message = format!(
+            "the gas is at {}, not less than the driving pressure of {}: no wave would squeeze the bubble",
+            si(gas.pressure, "Pa"),
+            si(pressure, "Pa")
+        );
+        let help =
+            "give the gas a lower pressure; a bubble that grows by itself is `bubble_in_liquid`";
+        findings.error(at, message, "nothing drives it", help);
     }
 }
 

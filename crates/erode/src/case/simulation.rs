@@ -97,6 +97,17 @@ pub struct BubbleGas {
     pub polytropic_exponent: f64,
 }
 
+impl BubbleGas {
+    /// Cavities hold gas within this many radii of the bubble's centre: it may grow to that.
+    pub const REACH: f64 = 2.5;
+
+    /// Radius at rest in a liquid of this pressure (Pa) / radius at the start.
+    #[must_use]
+    pub fn equilibrium(&self, pressure: f64) -> f64 {
+        (self.pressure / pressure).powf(1.0 / (3.0 * self.polytropic_exponent))
+    }
+}
+
 /// A region filled with particles of one material.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Body {

@@ -9,10 +9,12 @@ mod schema;
 const NEAR_STEEL: &str = include_str!("../../../../cases/bubble-near-steel/case.toml");
 const ATTACHED: &str = include_str!("../../../../cases/bubble-attached/case.toml");
 const IN_LIQUID: &str = include_str!("../cli/templates/bubble-in-liquid.toml");
+const GAS: &str = include_str!("../../../../cases/gas-rebound/case.toml");
 const OWN_BODIES: &str = include_str!("../cli/templates/own-bodies.toml");
 
-/// Everything that can be chosen and is not in the templates.
-const UNUSUAL: &str = r#"
+/// Everything that can be chosen and is not in the templates: a body of each, as bodies of a kind do not go together.
+const UNUSUAL: [&str; 3] = [BALL, HOT, REST];
+const BALL: &str = r#"
 title = "quotes \" and \\ and µ"
 [[body]]
 name = "ball"
@@ -24,6 +26,10 @@ solid.velocity = [0, "-100 m/s"]
 solid.formulation.joshi = { xsph = 0.5 }
 shape.disc = { centre = [0, "2 mm"], radius = "1 mm" }
 spacing.finest = "0.1 mm"
+[run]
+end_time = "1 us"
+"#;
+const HOT: &str = r#"
 [[body]]
 name = "hot"
 solid.material = "steel_a2205"
@@ -32,6 +38,11 @@ solid.strength.johnson_cook = { m = 1, reference_temperature = "293.15 K", melti
 shape.rectangle = { lower = [0, "-1 mm"], upper = ["1 mm", "1 mm"] }
 spacing = { finest = "0.1 mm", coarsest = "0.3 mm", growth = 0.1, core.disc = { centre = [0, 0], radius = "0.3 mm" } }
 sides.right.non_reflecting = { wave = { pressure = "1 MPa", start = "3 ns" } }
+[run]
+end_time = "1 us"
+max_steps = 12345678901
+"#;
+const REST: &str = r#"
 [[body]]
 name = "rest"
 solid.material = "steel_a2205"
@@ -40,7 +51,6 @@ shape.rectangle = { lower = ["2 mm", "-1 mm"], upper = ["3 mm", "1 mm"] }
 spacing.finest = "0.1 mm"
 [run]
 end_time = "1 us"
-max_steps = 12345678901
 "#;
 
 fn read(text: &str, overrides: &[&str]) -> Simulation {
@@ -184,7 +194,8 @@ fn switches_of_the_setup_reach_the_bodies() {
 
 #[test]
 fn resolved_reads_back_as_the_same_simulation() {
-    for text in [NEAR_STEEL, ATTACHED, IN_LIQUID, OWN_BODIES, UNUSUAL] {
+    let templates = [NEAR_STEEL, ATTACHED, IN_LIQUID, OWN_BODIES];
+    for text in templates.into_iter().chain(UNUSUAL) {
         for overrides in [
             &[][..],
             &["run.end_time=3.3333333333333335e-7", "run.max_steps=7"],
@@ -201,17 +212,16 @@ fn resolved_reads_back_as_the_same_simulation() {
 
 #[test]
 fn simulation_survives_serde() {
-    let s = read(UNUSUAL, &[]);
+    let s = read(HOT, &[]);
     let json = serde_json::to_string(&s).unwrap();
     assert_eq!(serde_json::from_str::<Simulation>(&json).unwrap(), s);
 }
 
 #[test]
 fn own_bodies_get_the_defaults_that_follow_from_their_place() {
-    let s = read(UNUSUAL, &[]);
-    assert_eq!(s.body("hot").unwrap().sides.left, Side::Axis);
-    assert_eq!(s.body("rest").unwrap().sides.left, Side::Free);
-    assert_eq!(s.body("ball").unwrap().sides.left, Side::Axis);
+    let left = |text: &str| read(text, &[]).bodies[0].sides.left.clone();
+    assert_eq!(UNUSUAL.map(left), [Side::Axis, Side::Axis, Side::Free]);
+    let s = read(HOT, &[]);
     let own = read(OWN_BODIES, &[]);
     assert_eq!(
         own.body("plate").unwrap().sides.bottom,
@@ -237,7 +247,7 @@ fn own_bodies_get_the_defaults_that_follow_from_their_place() {
 #[test]
 fn damage_is_asked_for_by_the_case_and_completed_by_the_library() {
     use erode_physics::damage::Damage;
-    let with = |set: &[&str]| read(UNUSUAL, set).body("hot").unwrap().kind.clone();
+    let with = |set: &[&str]| read(HOT, set).body("hot").unwrap().kind.clone();
     let of = |set: &[&str]| match with(set) {
         BodyKind::Solid(s) => s.damage,
         BodyKind::Fluid(_) => panic!("hot is a solid"),
@@ -283,6 +293,24 @@ fn overrides_replace_add_and_address_blocks_by_name_or_number() {
             shifting: 20.0,
             refinement: None
         }
+    );
+}
+
+#[test]
+fn an_empty_list_takes_a_coating_away() {
+    let layers = |set: &[&str]| {
+        let s = read(NEAR_STEEL, set);
+        let BodyKind::Solid(wall) = &s.bodies[1].kind else {
+            panic!("the wall is second")
+        };
+        wall.layers.len()
+    };
+    let coated =
+        "setup.bubble_near_wall.wall_layers=[{material=\"copper_ofhc\", thickness=\"20 um\"}]";
+    assert_eq!(layers(&[coated]), 1);
+    assert_eq!(
+        layers(&[coated, "setup.bubble_near_wall.wall_layers=[]"]),
+        0
     );
 }
 
@@ -371,6 +399,10 @@ fn relations_between_bodies_are_checked() {
         ("body.plate.shape.rectangle.upper=[2e-4, -1e-5]", "gap"),
         ("body.plate.sides.top.free={}", "does not meet `water`"),
         (
+            "body.water={ solid = { material = \"my_steel\", strain_rate = false } }",
+            "`water` and `plate` are both solids",
+        ),
+        (
             "body.water.sides.bottom.interface.with=plates",
             "did you mean `plate`",
         ),
@@ -388,7 +420,8 @@ fn relations_between_bodies_are_checked() {
         ),
         ("probe.0.position=[1, 1]", "lies outside `water`"),
         ("probe.0.body=watr", "did you mean `water`"),
-        ("body=[]", "empty array"),
+        ("body=[]", "neither a setup nor a body"),
+        ("bubble=[]", "must be a table"),
         ("geometry={ plane = {}, axisymmetric = {} }", "both"),
     ] {
         let found = errors(OWN_BODIES, &[change]).join("\n");
@@ -404,6 +437,25 @@ fn advice_names_what_will_mean_little() {
     assert!(advice(&["setup.bubble_near_wall.width=3"]).contains("below 4"));
     assert!(advice(&["run.end_time=0.5 us"]).contains("before the bubble can collapse"));
     assert!(advice(&["run.safety=3"]).contains("unstable"));
+    // 40 um between particles at the far end of the wall, 5 um at the axis.
+    let coated = |t: &str| {
+        format!(
+            "setup.bubble_near_wall.wall_layers=[{{material=\"copper_ofhc\", thickness=\"{t}\"}}]"
+        )
+    };
+    let thin = advice(&[&coated("20 um")]);
+    assert!(
+        thin.contains("20 um thick, less than the spacing of 40 um at its far end"),
+        "{thin}"
+    );
+    assert_eq!(advice(&[&coated("50 um")]), "");
+    let gas = |pressure: &str| {
+        let gas = format!("setup.bubble_in_liquid.gas={{pressure=\"{pressure}\"}}");
+        check_advice(&read(GAS, &[&gas])).join("\n")
+    };
+    // 20 and 2 times the pressure of the liquid, exponent 1.4: at rest at 2.04 and 1.18 radii.
+    assert!(gas("20 MPa").contains("2.04 radii") && gas("20 MPa").contains("2.5 radii"));
+    assert_eq!(gas("2 MPa"), "");
 }
 
 #[test]
@@ -421,6 +473,54 @@ fn size_and_step_are_those_of_the_uniform_plate() {
     );
     assert_eq!(e.limited_by, "plate");
     assert_eq!(e.steps, (1e-6 / e.step).ceil());
+}
+
+#[test]
+fn gas_needs_a_form_that_has_it_and_a_wave_that_squeezes_it() {
+    let gas = "setup.bubble_near_wall.gas={pressure=\"100 kPa\"}";
+    let joshi = "setup.bubble_near_wall.liquid_formulation.joshi={}";
+    let found = errors(NEAR_STEEL, &[gas, joshi]).join("\n");
+    assert!(
+        found.contains("published form of the liquid has no gas"),
+        "{found}"
+    );
+    let found = errors(GAS, &["setup.bubble_in_liquid.liquid_formulation.joshi={}"]).join("\n");
+    assert!(
+        found.contains("published form of the liquid has no gas"),
+        "{found}"
+    );
+    let driven = |p: &str| format!("setup.bubble_near_wall.gas={{pressure=\"{p}\"}}");
+    for pressure in ["50 MPa", "60 MPa"] {
+        let found = errors(NEAR_STEEL, &[&driven(pressure)]).join("\n");
+        assert!(
+            found.contains(&format!("the gas is at {pressure}, not less than")),
+            "{found}"
+        );
+    }
+    read(NEAR_STEEL, &[&driven("49 MPa")]);
+}
+
+/// The spacing that counts is that at the depth of a layer, not the finest of the body.
+#[test]
+fn a_layer_is_as_thick_as_the_particles_where_it_lies() {
+    let layers = |depth: &str| {
+        format!(
+            "setup.bubble_near_wall.wall_layers=[{{material=\"copper_ofhc\", thickness=\"{depth}\"}}, {{material=\"copper_ofhc\", \
+         thickness=\"6 um\"}}]"
+        )
+    };
+    read(NEAR_STEEL, &[&layers("20 um")]);
+    // Spacing 5 um down to 0.75 radii, growing by 0.06 below: 5 um + 0.06 x (303 - 112.5) um = 16.4 um.
+    let found = errors(NEAR_STEEL, &[&layers("0.30000000000000004 mm")]).join("\n");
+    assert!(
+        found.contains("layer 2 (copper_ofhc) is 6 um thick, less than the particle spacing of 16.43 um at its depth"),
+        "{found}"
+    );
+    let found = errors(NEAR_STEEL, &[&layers("0.75 mm")]).join("\n");
+    assert!(
+        found.contains("are 756 um thick together, the body is 750 um high"),
+        "{found}"
+    );
 }
 
 #[test]

@@ -23,7 +23,8 @@ First steps:
 Exit codes:
   0 done
   1 the case (or the command line) is wrong
-  2 the run, or one of a sweep, failed for a named cause; a validation missed its tolerance; a reproduction does not
+  2 the run, or one of a sweep, failed for a named cause;
+    a validation missed its tolerance; a reproduction does not
     meet its source or lacks data; a file could not be written
   3 interrupted, a checkpoint is written: go on with erode resume"
 )]

@@ -168,6 +168,13 @@ fn facts(s: &Simulation) -> Vec<Vec<String>> {
         if let Some(d) = b.wall_distance {
             text.push_str(&format!(", stand-off {}", significant(d / b.radius)));
         }
+        if let Some(gas) = b.gas {
+            text.push_str(&format!(
+                ", gas at {}, exponent {}",
+                si(gas.pressure, "Pa"),
+                significant(gas.polytropic_exponent)
+            ));
+        }
         rows.push(row("bubble", text));
     }
     let o = &s.output;
@@ -224,7 +231,7 @@ fn layered(s: &Solid) -> String {
 fn cost(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
     let row = |name: &str, text: String| vec![name.to_owned(), text];
     let total: f64 = e.particles.iter().sum();
-    vec![
+    let mut rows = vec![
         row("end time", si(s.run.end_time, "s")),
         row(
             "time step",
@@ -241,5 +248,17 @@ fn cost(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
                 significant(PARTICLE_STEPS_PER_SECOND / 1e6)
             ),
         ),
-    ]
+    ];
+    if let Some(r) = e.refined {
+        let text = format!(
+            "{} particles per radius down to {} of the first: spacing {}, time step about {} there; particles, steps and wall \
+             time above are without it",
+            significant(r.asked.per_radius),
+            significant(r.asked.smallest),
+            si(r.spacing, "m"),
+            si(r.step, "s")
+        );
+        rows.push(row("refinement", text));
+    }
+    rows
 }

@@ -38,12 +38,13 @@ impl From<CaseErrors> for Failure {
 impl From<OutputError> for Failure {
     /// A folder that was badly chosen is wrong input; files that cannot be written or read are a failure.
     fn from(error: OutputError) -> Self {
-        use OutputError::{Locked, NotAFolder, NotARun, NotWritable, Occupied};
+        use OutputError::{CaseChanged, Locked, NotAFolder, NotARun, NotWritable, Occupied};
         let code = match &error {
             Occupied { .. }
             | NotAFolder { .. }
             | NotWritable { .. }
             | NotARun { .. }
+            | CaseChanged { .. }
             | Locked { .. } => WRONG_INPUT,
             _ => FAILED,
         };

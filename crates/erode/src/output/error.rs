@@ -41,6 +41,14 @@ pub enum OutputError {
         /// What was looked for.
         missing: String,
     },
+    /// The case in the folder is no longer the one that the run began with.
+    #[error("{path} was changed since the run began (-: as it was, +: as it is):\n{difference}")]
+    CaseChanged {
+        /// The file.
+        path: PathBuf,
+        /// What differs, line by line.
+        difference: String,
+    },
     /// Another process writes to the folder.
     #[error("the run folder {path} is in use by another process{}", .holder.map_or(String::new(), |pid| format!(" (number {pid})")))]
     Locked {
@@ -102,6 +110,10 @@ impl OutputError {
             Self::Occupied { .. } => "Choose an empty or new folder with `-o DIR`.".into(),
             Self::NotAFolder { .. } | Self::NotWritable { .. } => "Choose another folder with `-o DIR`.".into(),
             Self::NotARun { .. } => "Give the folder that `erode run` printed when it started.".into(),
+            Self::CaseChanged { path, .. } => format!(
+                "A run goes on with the case that it began with: undo the change, or start a new run with `erode run {} -o DIR`.",
+                path.display()
+            ),
             Self::Locked { .. } => "Wait for it or stop it, or choose another folder with `-o DIR`.".into(),
             Self::Write { cause, .. } => write_hint(cause),
             Self::Read { .. } => "Check that the file is there and may be read.".into(),

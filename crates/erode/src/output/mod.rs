@@ -10,6 +10,7 @@ pub mod csv;
 pub mod error;
 pub mod failure;
 pub mod hash;
+pub(crate) mod lines;
 pub mod lock;
 pub mod pvd;
 pub mod run_folder;

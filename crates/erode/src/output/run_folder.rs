@@ -2,6 +2,7 @@
 
 use super::atomic::{clean_temporaries, list, write_atomic};
 use super::error::OutputError;
+use super::lines::difference;
 use super::lock::{self, RunLock};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -99,6 +100,11 @@ impl RunPaths {
     /// The folder of the checkpoints.
     pub fn checkpoints(&self) -> PathBuf {
         self.root.join("checkpoints")
+    }
+
+    /// The case as the run began with it: `case.toml` may be changed by its owner.
+    pub fn begun_with(&self) -> PathBuf {
+        self.checkpoints().join("case.toml")
     }
 
     /// The folder of the report.
@@ -201,6 +207,12 @@ impl RunFolder {
     /// [`OutputError::NotARun`], [`OutputError::NotAFolder`], [`OutputError::Locked`], [`OutputError::NotWritable`].
     pub fn open(root: impl Into<PathBuf>) -> Result<Self, OutputError> {
         let paths = RunPaths::existing(root)?;
+        if !paths.resolved().is_file() {
+            return Err(OutputError::NotARun {
+                path: paths.root,
+                missing: "resolved.toml".into(),
+            });
+        }
         let lock = RunLock::acquire(&paths.root)?;
         clean_temporaries(&paths.root)?;
         for name in FOLDERS {
@@ -230,10 +242,40 @@ impl RunFolder {
     /// [`OutputError::Write`].
     pub fn write_case(&self, given: &[u8], resolved: &str) -> Result<(), OutputError> {
         // `case.toml` makes the folder a run, so it comes last.
+        write_atomic(&self.paths.begun_with(), |file| file.write_all(given))?;
         write_atomic(&self.paths.resolved(), |file| {
             file.write_all(resolved.as_bytes())
         })?;
         write_atomic(&self.paths.case(), |file| file.write_all(given))
+    }
+}
+
+/// Most lines of a difference that are shown.
+const SHOWN_LINES: usize = 24;
+
+impl RunFolder {
+    /// Refuses a run whose `case.toml` is no longer the one that it began with.
+    ///
+    /// # Errors
+    /// [`OutputError::CaseChanged`], [`OutputError::Read`].
+    pub fn require_same_case(&self) -> Result<(), OutputError> {
+        let read = |path: PathBuf| match fs::read(&path) {
+            Ok(bytes) => Ok(bytes),
+            Err(cause) => Err(OutputError::Read { path, cause }),
+        };
+        // Folders of earlier versions do not have it.
+        if !self.paths.begun_with().is_file() {
+            return Ok(());
+        }
+        let (was, is) = (read(self.paths.begun_with())?, read(self.paths.case())?);
+        if was == is {
+            return Ok(());
+        }
+        let [was, is] = [was, is].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+        Err(OutputError::CaseChanged {
+            path: self.paths.case(),
+            difference: difference(&was, &is, SHOWN_LINES).join("\n"),
+        })
     }
 }
 

@@ -59,7 +59,7 @@ fn an_existing_run_is_refused_by_name_and_untouched() {
     assert!(
         error
             .to_string()
-            .contains("a run (case.toml, resolved.toml)"),
+            .contains("a run (case.toml, checkpoints, resolved.toml)"),
         "{error}"
     );
     assert!(error.hint().contains("`erode resume ") && error.hint().contains("`-o DIR`"));
@@ -118,4 +118,39 @@ fn a_folder_left_by_a_process_killed_before_its_first_file_can_be_used() {
     let base = tempfile::tempdir().unwrap();
     drop(RunFolder::create(base.path()).unwrap());
     RunFolder::create(base.path()).unwrap();
+}
+
+#[test]
+fn a_run_does_not_go_on_with_a_case_that_was_changed() {
+    let base = tempfile::tempdir().unwrap();
+    let run = RunFolder::create(base.path()).unwrap();
+    run.write_case(b"a = 1\nb = 2\n", "resolved").unwrap();
+    run.require_same_case().unwrap();
+    fs::write(run.paths().case(), "a = 1\nb = 3\n").unwrap();
+    let error = run.require_same_case().unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.contains("was changed") && text.ends_with("\n- b = 2\n+ b = 3"),
+        "{text}"
+    );
+    assert!(error.hint().contains("erode run"), "{}", error.hint());
+    // Runs of earlier versions kept no second copy.
+    fs::remove_file(run.paths().begun_with()).unwrap();
+    run.require_same_case().unwrap();
+}
+
+#[test]
+fn a_folder_without_its_resolved_case_is_no_run_to_go_on_with() {
+    let base = tempfile::tempdir().unwrap();
+    let run = RunFolder::create(base.path()).unwrap();
+    run.write_case(b"given", "resolved").unwrap();
+    fs::remove_file(run.paths().resolved()).unwrap();
+    drop(run);
+    let error = RunFolder::open(base.path()).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("is not a run folder: resolved.toml is missing"),
+        "{error}"
+    );
 }

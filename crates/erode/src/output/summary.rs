@@ -8,7 +8,8 @@ use std::fs;
 use std::path::Path;
 
 /// Names that are tables of the summary and so cannot be scalars.
-const TABLES: [&str; 8] = [
+const TABLES: [&str; 9] = [
+    "findings",
     "layers",
     "seconds",
     "units",
@@ -46,6 +47,9 @@ pub struct Summary {
     /// `lost_mass` each, SI; the last one is the body below them. Empty without layers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     layers: Vec<Value>,
+    /// Sentences that a reader of the numbers must know. Empty as a rule.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    findings: Vec<String>,
 }
 
 impl Summary {
@@ -101,6 +105,17 @@ impl Summary {
     /// Sets what is told of each layer of a solid.
     pub fn set_layers(&mut self, rows: Vec<Value>) {
         self.layers = rows;
+    }
+
+    /// Adds a sentence that a reader of the numbers must know.
+    pub fn add_finding(&mut self, sentence: String) {
+        self.findings.push(sentence);
+    }
+
+    /// Sentences that a reader of the numbers must know.
+    #[must_use]
+    pub fn findings(&self) -> &[String] {
+        &self.findings
     }
 
     /// The comparison with a source.

@@ -78,6 +78,7 @@ pub fn resume(
     observer: &mut dyn Observer,
 ) -> Result<Ended, RunError> {
     let folder = RunFolder::open(dir)?;
+    folder.require_same_case()?;
     let loaded = Case::load(&folder.paths().resolved(), &[], &[]).map_err(RunError::Case)?;
     let text = std::fs::read(folder.paths().resolved()).map_err(|cause| OutputError::Read {
         path: folder.paths().resolved(),

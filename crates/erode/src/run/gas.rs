@@ -7,9 +7,6 @@ use erode_sph::fluid::gas::{Gas, GasLaw};
 use erode_sph::fluid::ghosts::{Ghosts, Wall};
 use erode_sph::world::{Body, World};
 
-/// Cavities hold gas within this many radii of the bubble's centre: it may grow to that.
-const REACH: f64 = 2.5;
-
 /// Fills the bubble of a case with its gas.
 ///
 /// # Errors
@@ -43,7 +40,7 @@ pub(super) fn fill(world: &mut World, simulation: &Simulation) -> Result<(), Run
 /// The gas, and where cavities hold it: near the bubble, inside the liquid.
 fn law(bubble: &Bubble, gas: BubbleGas, body: &Asked) -> GasLaw {
     let (lower, upper) = body.shape.bounding_box();
-    let reach = REACH * bubble.radius;
+    let reach = BubbleGas::REACH * bubble.radius;
     let near = |sign: f64| bubble.centre.map(|x| x + sign * reach);
     let (from, to) = (near(-1.0), near(1.0));
     let (sides, solid) = (&body.sides, |s: &Side| {

@@ -43,7 +43,7 @@ pub(super) fn add(
     // Metal without an upper face has no such table.
     let wall = recorded.exists().then(|| Table::read(&recorded));
     let wall = wall.transpose()?.as_ref().and_then(WallPressure::of);
-    let yield_stress = metal.strength.yield_stress(0.0, 0.0, ROOM);
+    let yield_stress = yield_stress(metal);
     let least = followed_above(yield_stress, bubble.driving_pressure);
     let found = wall.as_ref().map(|w| front(w, least));
     let at = |r: f64| {
@@ -60,6 +60,26 @@ pub(super) fn add(
 
 /// Temperature at which the yield stress is taken, K: that of the reference tests.
 const ROOM: f64 = 293.15;
+
+/// Yield stress of what the liquid meets, Pa: of the uppermost layer, or of the body without layers.
+fn yield_stress(metal: &Solid) -> f64 {
+    let skin = metal
+        .layers
+        .first()
+        .map_or(&metal.strength, |l| &l.strength);
+    skin.yield_stress(0.0, 0.0, ROOM)
+}
+
+/// Time that a longitudinal wave needs to a depth (m), layer by layer, s.
+fn material_time(metal: &Solid, depth: f64) -> f64 {
+    let (mut left, mut time) = (depth, 0.0);
+    for layer in &metal.layers {
+        let inside = left.min(layer.thickness);
+        time += analysis::material_time(inside, layer.elastic.longitudinal_speed(layer.density));
+        left -= inside;
+    }
+    time + analysis::material_time(left, metal.elastic.longitudinal_speed(metal.density))
+}
 
 /// Load and metal where the plastic strain is largest.
 fn times(
@@ -81,8 +101,7 @@ fn times(
         let top = body.block.upper[1];
         zone_depth(position, strain, top, &w.radius, YIELDED)[w.nearest(place)]
     });
-    let sound = metal.elastic.longitudinal_speed(metal.density);
-    let answer = depth.map(|d| analysis::material_time(d, sound));
+    let answer = depth.map(|d| material_time(metal, d));
     s.set("loading_time", "s", load.unwrap_or(f64::NAN));
     s.set("material_time", "s", answer.unwrap_or(f64::NAN));
 }
@@ -104,6 +123,44 @@ fn toroid(history: &Table, volume: f64) -> Option<analysis::Toroid> {
 mod tests {
     use super::*;
     use crate::case::Case;
+
+    #[test]
+    fn a_coated_wall_is_judged_by_its_layers() {
+        let text = include_str!("../../../../cases/bubble-near-steel/case.toml");
+        let of = |set: &str| {
+            let set = [format!("setup.bubble_near_wall.{set}")];
+            let simulation = Case::parse("case.toml", text, &set).unwrap();
+            let walls = simulation.bodies.into_iter();
+            walls
+                .filter_map(|b| match b.kind {
+                    BodyKind::Solid(s) => Some(s),
+                    BodyKind::Fluid(_) => None,
+                })
+                .next()
+                .unwrap()
+        };
+        let coated = of("wall_layers=[{material=\"copper_ofhc\", thickness=\"20 um\"}]");
+        let copper = of("wall=copper_ofhc");
+        let (layer, bare) = (
+            coated.layers[0].thickness,
+            Solid {
+                layers: Vec::new(),
+                ..coated.clone()
+            },
+        );
+        assert_eq!(
+            yield_stress(&coated),
+            copper.strength.yield_stress(0.0, 0.0, ROOM)
+        );
+        assert!(yield_stress(&coated) < yield_stress(&bare));
+        // Inside the copper, and as far again in the steel below it.
+        let in_copper = layer / copper.elastic.longitudinal_speed(copper.density);
+        let in_steel = layer / bare.elastic.longitudinal_speed(bare.density);
+        assert!((material_time(&coated, layer) / in_copper - 1.0).abs() < 1e-12);
+        assert!((material_time(&coated, 2.0 * layer) / (in_copper + in_steel) - 1.0).abs() < 1e-12);
+        assert!((material_time(&bare, layer) / in_steel - 1.0).abs() < 1e-12);
+        assert!(material_time(&coated, f64::NAN).is_nan());
+    }
 
     #[test]
     fn a_table_that_cannot_be_read_is_an_error_and_no_missing_number() {

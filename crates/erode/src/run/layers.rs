@@ -1,7 +1,7 @@
 //! What the layers of a solid suffered, for the summary.
 
 use super::monitor::solid;
-use crate::case::{BodyKind, Simulation};
+use crate::case::{BodyKind, Simulation, format::si};
 use erode_sph::solid::Solid;
 use erode_sph::world::World;
 use serde_json::{Value, json};
@@ -23,6 +23,32 @@ pub(super) fn rows(world: &World, simulation: &Simulation) -> Vec<Value> {
     let rest = body.block.upper[1] - body.block.lower[1] - all;
     rows.push(row(body, 0, &asked.material, json!(rest)));
     rows
+}
+
+/// A layer made of particles is resolved by whole rows: told where that changes its thickness by more than this share.
+const MISFIT: f64 = 0.1;
+
+/// Layers whose particles make them thicker or thinner than asked.
+pub(super) fn misfits(world: &World, simulation: &Simulation) -> Vec<String> {
+    let of = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::NAN);
+    let mut rows = rows(world, simulation);
+    // The last one is the body below the layers.
+    rows.pop();
+    let all = rows.iter().enumerate().map(|(k, row)| {
+        let (asked, found) = (of(row, "thickness"), of(row, "resolved_thickness"));
+        let off = found / asked - 1.0;
+        (off.abs() > MISFIT).then(|| {
+            format!(
+                "layer {} ({}) is {} thick in its particles, {:+.0} % of the {} asked for: a finer spacing fits better",
+                k + 1,
+                row["material"].as_str().unwrap_or_default(),
+                si(found, "m"),
+                100.0 * off,
+                si(asked, "m")
+            )
+        })
+    });
+    all.flatten().collect()
 }
 
 fn row(s: &Solid, layer: usize, material: &str, thickness: Value) -> Value {

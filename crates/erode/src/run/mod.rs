@@ -2,16 +2,19 @@
 
 mod background;
 mod bubble_cloud;
+mod bubble_state;
 mod build;
 mod course;
 mod drive;
 mod error;
 mod files;
+mod findings;
 mod gas;
 mod impact;
 mod layers;
 mod ledger;
 mod loads;
+mod metal;
 mod monitor;
 mod observer;
 mod probes;
@@ -25,11 +28,12 @@ mod strain_profile;
 mod watch;
 mod writing;
 
+pub use bubble_state::{BubbleState, bubble};
 pub use build::world;
 pub use drive::{Ended, Start, resume, start};
 pub use error::RunError;
 pub use ledger::Ledger;
-pub use monitor::{BubbleState, Metal, bubble};
+pub use metal::Metal;
 pub use observer::{Observer, Progress, Quiet};
 pub(crate) use state::{accounts, store as store_state};
 pub use strain_profile::{Column, columns, off_axis_maximum};

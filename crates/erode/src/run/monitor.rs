@@ -1,23 +1,17 @@
-//! What is watched while a run goes on: the bubble, the jet, the wall, the metal, the energy.
+//! What is watched while a run goes on: the bubble (measured in `bubble_state.rs`), the metal (in `metal.rs`), the energy.
 
+pub(super) use super::bubble_state::bubble;
+use super::bubble_state::{BubbleState, equivalent_radius};
 use super::ledger::Ledger;
-use crate::analysis::{YIELDED, absorbed_energy, half_width, plastic_volume};
+use super::metal::{Metal, indenter_force};
 use crate::case::{Bubble, Simulation};
 use crate::output::Column;
-use erode_sph::cavity::{Cavity, Colour, Window};
 use erode_sph::fluid::Fluid;
 use erode_sph::fluid::gas::Pocket;
-use erode_sph::fluid::ghosts::{Ghosts, Wall};
-use erode_sph::geometry::Vec2;
-use erode_sph::interface::SurfaceLine;
 use erode_sph::solid::{Side, Solid};
 use erode_sph::world::{Body, World};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
-
-/// A void of fewer cells than this is a gap between particles, not a bubble (a cell is half a spacing wide).
-const SMALLEST_VOID: usize = 8;
 
 /// The jet is read when the gap between the two walls of the bubble on the axis falls below this many initial radii: the
 /// last values before the impact are those of one or two particles.
@@ -69,27 +63,6 @@ pub(crate) struct Record {
     pub seconds: BTreeMap<String, f64>,
     /// Seconds of computing before a resume.
     pub wall_time: f64,
-}
-
-/// The bubble at one instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BubbleState {
-    /// Void volume, m3 (per metre in plane).
-    pub volume: f64,
-    /// Height of the centroid, m.
-    pub centre: f64,
-    /// Distance of the centroid from the axis, m: zero for a void on the axis.
-    pub centre_r: f64,
-    /// Voids.
-    pub parts: usize,
-    /// Distance of the largest void from the axis, m: positive for a toroid.
-    pub inner_radius: f64,
-    /// Gap on the axis between the upper and lower side of the void, m.
-    pub gap: f64,
-    /// Mean velocity of the liquid at the upper side on the axis towards the wall, m/s; NaN without a void on the axis.
-    pub jet_speed: f64,
-    /// Distance from the axis at which that velocity has fallen to half, m; NaN without a void on the axis.
-    pub jet_half_width: f64,
 }
 
 /// Columns of `history.csv`.
@@ -173,115 +146,6 @@ pub(crate) fn solid(world: &World) -> Option<&Solid> {
             None
         }
     })
-}
-
-/// Surfaces of solids that the liquid meets.
-pub(super) fn wetted(world: &World) -> Vec<SurfaceLine> {
-    let surface = solid(world).and_then(|s| s.surface(Side::Top));
-    surface.map(SurfaceLine::of).into_iter().collect()
-}
-
-/// Where the bubble is looked for, in cells of the size `cell` (m).
-pub(super) fn window(bubble: &Bubble, cell: f64) -> Window {
-    let reach = 1.4 * bubble.radius;
-    let floor = if bubble.wall_distance.is_some() {
-        0.0
-    } else {
-        f64::NEG_INFINITY
-    };
-    Window {
-        lower: [0.0, (bubble.centre[1] - reach).max(floor)],
-        upper: [bubble.centre[0] + reach, bubble.centre[1] + reach],
-        cell,
-    }
-}
-
-/// Measures the bubble.
-#[must_use]
-pub fn bubble(world: &World, bubble: &Bubble, cell: f64) -> BubbleState {
-    let nothing = BubbleState {
-        volume: 0.0,
-        centre: f64::NAN,
-        centre_r: f64::NAN,
-        parts: 0,
-        inner_radius: f64::NAN,
-        gap: 0.0,
-        jet_speed: f64::NAN,
-        jet_half_width: f64::NAN,
-    };
-    let Some(fluid) = liquid(world) else {
-        return nothing;
-    };
-    let lines = wetted(world);
-    let walls: Vec<&dyn Wall> = lines.iter().map(|l| l as &dyn Wall).collect();
-    let window = window(bubble, cell);
-    let colour = Colour::new(fluid, &Ghosts::find(fluid, &walls), window);
-    let cavities = colour.cavities(SMALLEST_VOID);
-    let Some(largest) = cavities.first() else {
-        return nothing;
-    };
-    let volume: f64 = cavities.iter().map(|c| c.volume).sum();
-    let on_axis = cavities.iter().find(|c| c.inner_radius == 0.0);
-    let mean = |k: usize| cavities.iter().map(|c| c.volume * c.centre[k]).sum::<f64>() / volume;
-    BubbleState {
-        volume,
-        centre: mean(1),
-        centre_r: mean(0),
-        parts: cavities.len(),
-        inner_radius: largest.inner_radius,
-        gap: on_axis.map_or(0.0, Cavity::gap),
-        jet_speed: on_axis.map_or(f64::NAN, |c| tip_speed(fluid, [0.0, c.axis_extent[1]])),
-        jet_half_width: on_axis.map_or(f64::NAN, |c| jet_width(fluid, c.axis_extent[1])),
-    }
-}
-
-/// Half-width of the jet one smoothing length above its tip, NaN where it has none.
-fn jet_width(fluid: &Fluid, tip: f64) -> f64 {
-    let finest = fluid
-        .smoothing_length
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
-    let speed: Vec<f64> = fluid.velocity.iter().map(|v| -v[1]).collect();
-    half_width(&fluid.position, &speed, tip + finest, 0.5 * finest).unwrap_or(f64::NAN)
-}
-
-/// Kernel mean of the velocity towards smaller z just above `tip`.
-fn tip_speed(fluid: &Fluid, tip: Vec2) -> f64 {
-    let nearest = (0..fluid.len())
-        .filter(|&a| fluid.position[a][1] > tip[1] - fluid.smoothing_length[a])
-        .min_by(|&a, &b| {
-            distance(fluid.position[a], tip).total_cmp(&distance(fluid.position[b], tip))
-        });
-    let Some(nearest) = nearest else {
-        return f64::NAN;
-    };
-    let reach = 2.0 * fluid.smoothing_length[nearest];
-    let (mut sum, mut weight) = (0.0, 0.0);
-    for a in 0..fluid.len() {
-        let d = distance(fluid.position[a], tip);
-        if d < reach && fluid.position[a][1] > tip[1] - fluid.smoothing_length[a] {
-            let w = fluid.mass[a] / fluid.geometry.ring(fluid.position[a][0]);
-            sum -= w * fluid.velocity[a][1];
-            weight += w;
-        }
-    }
-    sum / weight
-}
-
-fn distance(a: Vec2, b: Vec2) -> f64 {
-    // Not `hypot`: it is slow, and nothing here is near the ends of the range of numbers.
-    ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt()
-}
-
-/// Radius of the ball (disc in plane) with a volume.
-#[must_use]
-pub(crate) fn equivalent_radius(volume: f64, geometry: erode_sph::Geometry) -> f64 {
-    match geometry {
-        erode_sph::Geometry::Axisymmetric => (3.0 * volume.max(0.0) / (4.0 * PI)).cbrt(),
-        // Half a disc lies at x > 0.
-        erode_sph::Geometry::Plane => (2.0 * volume.max(0.0) / PI).sqrt(),
-    }
 }
 
 /// One row of `history.csv`; extremes go to the record.
@@ -420,83 +284,3 @@ impl Record {
 pub(crate) fn largest(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
-
-/// What the metal suffered.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Metal {
-    /// Largest plastic strain.
-    pub max_plastic_strain: f64,
-    /// Its distance from the axis and depth below the undeformed surface, m; not a number where nothing yielded.
-    pub place: Vec2,
-    /// Plastic work, J.
-    pub plastic_work: f64,
-    /// Volume that yielded, m3.
-    pub plastic_volume: f64,
-    /// Largest depth of the surface below its undeformed place relative to its rim (elastic part included), m.
-    pub depth: f64,
-}
-
-impl Metal {
-    /// Of a solid as it is now.
-    #[must_use]
-    pub fn of(s: &Solid) -> Self {
-        let strain = &s.state.plastic_strain;
-        let worst = (0..s.len())
-            .max_by(|&a, &b| strain[a].total_cmp(&strain[b]))
-            .unwrap_or(0);
-        let at = s.reference.position[worst];
-        let place = [at[0], s.block.upper[1] - at[1]];
-        let volume = &s.reference.volume;
-        Self {
-            max_plastic_strain: strain[worst],
-            place: if strain[worst] > YIELDED {
-                place
-            } else {
-                [f64::NAN; 2]
-            },
-            plastic_work: absorbed_energy(&s.state.plastic_work, volume),
-            plastic_volume: plastic_volume(strain, volume, YIELDED),
-            depth: pit_depth(s),
-        }
-    }
-}
-
-/// Force that the solid puts on its indenter upwards, N (per metre in plane).
-pub(crate) fn indenter_force(s: &Solid) -> f64 {
-    -s.indenter_force()[1]
-}
-
-/// Depth of the deepest surface point below the mean of the outer third of the surface, what failed taken out, m.
-fn pit_depth(s: &Solid) -> f64 {
-    let Some(surface) = s.surface(Side::Top) else {
-        return f64::NAN;
-    };
-    let sunk: Vec<f64> = (0..surface.position.len())
-        .map(|j| {
-            let height = if s.is_removed(surface.particle[j]) {
-                ground(s, surface.reference_position[j][0], surface.width[j])
-            } else {
-                surface.position[j][1]
-            };
-            surface.reference_position[j][1] - height
-        })
-        .collect();
-    let outer = &sunk[2 * sunk.len() / 3..];
-    let rim = outer.iter().sum::<f64>() / outer.len() as f64;
-    sunk.iter()
-        .map(|d| d - rim)
-        .fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// Height of what is left in a column of the reference where the surface has failed, m.
-fn ground(s: &Solid, column: f64, width: f64) -> f64 {
-    (0..s.len())
-        .filter(|&a| !s.is_removed(a))
-        .filter(|&a| (s.reference.position[a][0] - column).abs() <= 0.5 * width)
-        .map(|a| s.state.position[a][1] + 0.5 * s.reference.area[a].sqrt())
-        .fold(s.block.lower[1], f64::max)
-}
-
-#[cfg(test)]
-#[path = "monitor_tests.rs"]
-mod tests;

@@ -1,19 +1,26 @@
 //! Refinement that follows the bubble of a run, and its part of a checkpoint.
 
 use super::RunError;
-use super::monitor::{wetted, window};
+use super::bubble_state::{wetted, window};
 use crate::case::{BodyKind, Simulation};
 use crate::output::Checkpoint;
 use erode_sph::cavity::fronts;
 use erode_sph::fluid::Fluid;
 use erode_sph::fluid::ghosts::Wall;
 use erode_sph::fluid::refinement::{Origin, Refinement};
-use erode_sph::world::{Body, World};
+use erode_sph::world::{Body, World, WorldError};
 
 /// Halves and merges liquid particles after a step, where the case asks for it. `cell` is half of the finest spacing, m.
-pub(super) fn follow(world: &mut World, simulation: &Simulation, cell: f64) {
+///
+/// # Errors
+/// If a number of the particles that this made is not finite.
+pub(super) fn follow(
+    world: &mut World,
+    simulation: &Simulation,
+    cell: f64,
+) -> Result<(), WorldError> {
     let Some(bubble) = &simulation.bubble else {
-        return;
+        return Ok(());
     };
     let asked = simulation.bodies.iter().map(|b| match &b.kind {
         BodyKind::Fluid(f) => f.refinement(),
@@ -21,7 +28,7 @@ pub(super) fn follow(world: &mut World, simulation: &Simulation, cell: f64) {
     });
     let asked: Vec<_> = asked.collect();
     if asked.iter().all(Option::is_none) || !Refinement::is_due(world.step) {
-        return;
+        return Ok(());
     }
     let lines = wetted(world);
     let walls: Vec<&dyn Wall> = lines.iter().map(|l| l as &dyn Wall).collect();
@@ -36,6 +43,7 @@ pub(super) fn follow(world: &mut World, simulation: &Simulation, cell: f64) {
             f.refine(&refinement, &cavities, world.step);
         }
     }
+    world.check_finite()
 }
 
 /// Stores where the particles of a refined liquid come from; nothing for one that was never refined.
@@ -75,4 +83,39 @@ pub(super) fn restore(f: &mut Fluid, name: &str, checkpoint: &Checkpoint) -> Res
     });
     f.take_origins(origin.collect(), h, next[0] as u32);
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    #[test]
+    fn what_refinement_leaves_must_be_finite() {
+        let text = include_str!("../cli/templates/bubble-in-liquid.toml");
+        let set = [
+            "particles_per_radius=6",
+            "domain=4",
+            "liquid_formulation.corrected.refinement={per_radius=6}",
+        ];
+        let set = set.map(|s| format!("setup.bubble_in_liquid.{s}"));
+        let simulation = Case::parse("case.toml", text, &set).unwrap();
+        let mut world = crate::run::world(&simulation).unwrap();
+        let cell = 0.5 * simulation.bodies[0].spacing.finest;
+        follow(&mut world, &simulation, cell).unwrap();
+        if let Body::Fluid(f) = &mut world.bodies[0].body {
+            f.velocity[7] = [f64::NAN; 2];
+        }
+        let error = follow(&mut world, &simulation, cell).unwrap_err();
+        assert!(
+            matches!(
+                error,
+                WorldError::NotFinite {
+                    field: "velocity",
+                    ..
+                }
+            ),
+            "{error}"
+        );
+    }
 }

@@ -1,13 +1,16 @@
 //! The final numbers of a run and their comparison with the source.
 
+use super::bubble_state::equivalent_radius;
 use super::layers;
 use super::ledger::Ledger;
-use super::monitor::{Metal, Record, equivalent_radius, liquid, solid};
+use super::metal::Metal;
+use super::monitor::{Record, liquid, solid};
 use super::strain_profile::{Column, columns, off_axis_maximum};
 use crate::analysis::published::{ATTACHED_STRAIN, DETACHED_STRAIN};
 use crate::analysis::{YIELDED, bubble_energy, plastic_potential};
-use crate::case::{BodyKind, Simulation};
+use crate::case::{BodyKind, Bubble, Simulation};
 use crate::output::Summary;
+use erode_physics::strength::Strength;
 use erode_sph::world::{Body, World};
 use serde_json::{Value, json};
 
@@ -202,9 +205,27 @@ fn counts(s: &mut Summary, world: &World) {
     }
 }
 
+/// Whether bubble and wall are what the thesis computed: nothing in the bubble, bare A-2205 with its growth with the rate.
+fn is_of_thesis(simulation: &Simulation, bubble: &Bubble) -> bool {
+    let same = |a: f64, b: f64| (a / b - 1.0).abs() < 0.01;
+    let wall = simulation.bodies.iter().find_map(|body| match &body.kind {
+        BodyKind::Solid(s) => Some(s),
+        BodyKind::Fluid(_) => None,
+    });
+    simulation.geometry == erode_sph::Geometry::Axisymmetric
+        && bubble.gas.is_none()
+        && same(bubble.driving_pressure, 50e6)
+        && same(bubble.radius, 0.15e-3)
+        && wall.is_some_and(|w| {
+            w.layers.is_empty()
+                && w.material == "steel_a2205"
+                && matches!(w.strength, Strength::JohnsonCook(law) if law.c > 0.0)
+        })
+}
+
 /// Values that the thesis states for its two cases of chapter 6.
 fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
-    let Some(b) = &simulation.bubble else {
+    let Some(b) = simulation.bubble.filter(|b| is_of_thesis(simulation, b)) else {
         return Vec::new();
     };
     let Some(distance) = b.wall_distance else {
@@ -212,9 +233,6 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
     };
     let standoff = distance / b.radius;
     let same = |a: f64, b: f64| (a / b - 1.0).abs() < 0.01;
-    if !same(b.driving_pressure, 50e6) || !same(b.radius, 0.15e-3) {
-        return Vec::new();
-    }
     let row = |quantity: &str, value: Value, reference: Value, unit: &str, source: &str| json!({ "quantity": quantity, "value": value, "reference": reference, "unit": unit, "source": source });
     let spacing = simulation
         .bodies
@@ -283,5 +301,33 @@ fn comparison(simulation: &Simulation, s: &Summary) -> Vec<Value> {
         ]
     } else {
         Vec::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    #[test]
+    fn only_the_bubble_and_wall_of_the_thesis_are_compared_with_it() {
+        let text = include_str!("../../../../cases/bubble-near-steel/case.toml");
+        let rows = |set: &[&str]| {
+            let key = |s: &&str| format!("setup.bubble_near_wall.{s}");
+            let set: Vec<String> = set.iter().map(key).collect();
+            let simulation = Case::parse("case.toml", text, &set).unwrap();
+            comparison(&simulation, &Summary::default()).len()
+        };
+        assert_eq!((rows(&[]), rows(&["standoff=0.66"])), (4, 2));
+        for other in [
+            "gas={pressure=\"100 kPa\"}",
+            "wall_layers=[{material=\"copper_ofhc\", thickness=\"20 um\"}]",
+            "wall=copper_ofhc",
+            "strain_rate=false",
+            "radius=\"0.2 mm\"",
+            "driving_pressure=\"40 MPa\"",
+        ] {
+            assert_eq!(rows(&[other]), 0, "{other}");
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::course::Course;
 use super::files::Files;
 use super::monitor::{self, Record};
 use super::observer::{Observer, Progress};
-use super::{RunError, impact, loads, refinement, results, state, watch};
+use super::{RunError, findings, impact, layers, loads, refinement, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{
     Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
@@ -141,8 +141,10 @@ impl Run {
             finding = match self.world.advance(dt) {
                 Ok(()) => {
                     loads::settle(&mut self.world, loads, dt);
-                    refinement::follow(&mut self.world, &self.simulation, self.cell);
-                    watch::implausible(&self.world)
+                    match refinement::follow(&mut self.world, &self.simulation, self.cell) {
+                        Ok(()) => watch::implausible(&self.world),
+                        Err(error) => Some(watch::failed_step(error, &limiter)?),
+                    }
                 }
                 Err(error) => Some(watch::failed_step(error, &limiter)?),
             };
@@ -209,6 +211,9 @@ impl Course for Run {
             "{particles} particles, {} threads",
             rayon::current_num_threads()
         ));
+        for misfit in layers::misfits(&self.world, &self.simulation) {
+            observer.say(&format!("note: {misfit}"));
+        }
         let mut shown = Instant::now();
         self.write_status(State::Running, None)?;
         while !self.finished() {
@@ -277,11 +282,15 @@ impl Course for Run {
         let (world, simulation) = (&self.world, &self.simulation);
         let mut summary = results::summary(world, simulation, &record, wall_time, threads);
         impact::add(&mut summary, world, simulation, &record, self.files.paths())?;
-        let words = format!(
+        let mut words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
             world.step,
             100.0 * self.drift()
         );
+        for finding in findings::of(&summary, world, simulation) {
+            words.push_str(&format!("\nnote: {finding}"));
+            summary.add_finding(finding);
+        }
         Ok((summary, words))
     }
 

@@ -1,6 +1,6 @@
 //! The sweep file as written: the case, what all runs share, and what is varied.
 
-use super::plan::plain;
+use super::plan::{LONGEST_NAME, plain};
 use super::setting::{Setting, Value};
 use crate::case::CaseErrors;
 use crate::case::error::{Findings, Span};
@@ -183,7 +183,18 @@ impl Reader<'_> {
             let mut settings = Vec::new();
             self.settings("", table, &mut settings);
             let at = settings.iter().position(|s| s.key == "name");
-            let name = at.map(|k| plain(&settings.remove(k).value.shown));
+            let name = at.map(|k| settings.remove(k).value.shown);
+            if let Some(name) = &name
+                && (plain(name) != *name || name.chars().count() > LONGEST_NAME)
+            {
+                let message = format!("`{name}` cannot be the name of a run");
+                let help = format!(
+                    "it is that of a folder: letters, digits and + - . _ = , in any order, {LONGEST_NAME} at most, not dots alone; for \
+                     example `{}`",
+                    plain(name).chars().take(LONGEST_NAME).collect::<String>()
+                );
+                self.findings.error(item.span, message, "not a name", help);
+            }
             if let Some(twice) = &name
                 && file.runs.iter().any(|r| r.name.as_ref() == Some(twice))
             {

@@ -2,10 +2,10 @@
 //!
 //! `plan/sweep.toml` makes a folder that of a sweep. Only files below `plan` and `runs` are ever replaced or removed.
 
-use super::lines::difference;
 use super::plan::{Plan, Planned};
 use super::{SweepError, Table};
 use crate::output::atomic::{list, write_atomic};
+use crate::output::lines::difference;
 use crate::output::lock::{self, LOCK_FILE};
 use crate::output::{OutputError, RunPaths, State, Status, Summary, hash_hex};
 use std::fmt::{self, Display};
@@ -229,7 +229,9 @@ pub fn stand_of(folder: &Path, run: &Planned) -> Stand {
         };
     }
     let checkpoints = list(&paths.checkpoints()).unwrap_or_default();
-    let can_go_on = checkpoints.iter().any(|p| p.is_file());
+    let can_go_on = checkpoints
+        .iter()
+        .any(|p| p.is_file() && *p != paths.begun_with());
     if can_go_on {
         Stand::Begun
     } else {

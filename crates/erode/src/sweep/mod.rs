@@ -10,7 +10,6 @@ mod error;
 mod execute;
 mod file;
 mod folder;
-mod lines;
 mod parquet;
 mod pictures;
 mod plan;

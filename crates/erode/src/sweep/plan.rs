@@ -9,7 +9,7 @@ use crate::output::hash_hex;
 use std::path::{Path, PathBuf};
 
 /// Longest name of a run; longer ones are cut and get a part of their fingerprint.
-const LONGEST_NAME: usize = 120;
+pub(super) const LONGEST_NAME: usize = 120;
 
 /// One run of a sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -148,10 +148,12 @@ impl Plan {
         for (draft, name) in drafts.iter().zip(names) {
             match Planned::check(&file.case, &name, &shared, &draft.settings) {
                 Ok(run) => runs.push(run),
-                Err(found) => merge(&mut errors, found),
+                Err(found) => merge(&mut errors, found, &name),
             }
         }
         if !errors.is_empty() {
+            let told = |(error, run): (CaseError, String)| error.of_run(&run, path);
+            let errors = errors.into_iter().map(told).collect();
             return Err(CaseErrors { errors }.into());
         }
         refuse_twins(&runs)?;
@@ -259,14 +261,19 @@ pub(super) fn short_keys(keys: &[String]) -> Vec<String> {
 fn names(drafts: &[Draft]) -> Vec<String> {
     let keys = keys(drafts);
     let short = short_keys(&keys);
+    // Names that were given stay as they are, whatever others are called.
+    let given: Vec<&String> = drafts.iter().filter_map(|d| d.name.as_ref()).collect();
     let mut names: Vec<String> = Vec::new();
     for draft in drafts {
+        if let Some(name) = &draft.name {
+            names.push(name.clone());
+            continue;
+        }
         let parts = draft.settings.iter().map(|s| {
             let at = keys.iter().position(|k| *k == s.key).unwrap_or(0);
             format!("{}={}", short[at], plain(&s.value.shown))
         });
-        let whole = parts.collect::<Vec<_>>().join(",");
-        let name = draft.name.as_deref().map_or(whole, plain);
+        let name = parts.collect::<Vec<_>>().join(",");
         let name = if name.chars().count() > LONGEST_NAME {
             let head: String = name.chars().take(LONGEST_NAME).collect();
             format!("{head}-{}", &hash_hex(name.as_bytes())[..8])
@@ -276,7 +283,7 @@ fn names(drafts: &[Draft]) -> Vec<String> {
         let numbered = (2..).map(|k| format!("{name}-{k}"));
         let free = std::iter::once(name.clone())
             .chain(numbered)
-            .find(|n| !names.contains(n));
+            .find(|n| !names.contains(n) && !given.contains(&n));
         names.push(free.unwrap_or(name));
     }
     names
@@ -301,12 +308,13 @@ pub(super) fn plain(text: &str) -> String {
     }
 }
 
-/// Adds errors that were not there yet: a wrong key is wrong in every run, and told once.
-fn merge(errors: &mut Vec<CaseError>, found: CaseErrors) {
+/// Adds errors that were not there yet, with the run that has them: a wrong key is wrong in every run, and told once.
+fn merge(errors: &mut Vec<(CaseError, String)>, found: CaseErrors, run: &str) {
     for error in found.errors {
-        let same = |e: &CaseError| e.message == error.message && e.help == error.help;
+        let same =
+            |(e, _): &(CaseError, String)| e.message == error.message && e.help == error.help;
         if !errors.iter().any(same) {
-            errors.push(error);
+            errors.push((error, run.to_owned()));
         }
     }
 }

@@ -107,7 +107,7 @@ impl Check {
             reference: Some(least),
             error: Some(value - least),
             reason_for_tolerance: reason.into(),
-            passed: value >= least,
+            passed: value.is_finite() && value >= least,
             ..Self::new(quantity, unit, value, Kind::AtLeast)
         }
     }
@@ -123,7 +123,7 @@ impl Check {
     ) -> Self {
         Self {
             kind: Kind::MoreThan,
-            passed: value > bound,
+            passed: value.is_finite() && value > bound,
             ..Self::at_least(quantity, unit, value, bound, reason)
         }
     }
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_check_without_data_is_neither_judged_nor_passed() {
-        let check = Check::at_least("ratio", "-", f64::INFINITY, 1.0, "so it says");
+        let check = Check::at_least("ratio", "-", 2.0, 1.0, "so it says");
         assert!(check.passed);
         let check = check.without_data("the metal did not yield");
         assert!(!check.passed && !check.is_judged());
@@ -207,5 +207,8 @@ mod tests {
         assert!(!Check::relative("t", "s", (nan, 2.0), 0.02, "").passed);
         assert!(!Check::absolute("t", "s", (nan, 2.0), 0.02, "").passed);
         assert!(!Check::at_least("t", "s", nan, 2.0, "").passed);
+        // A ratio to nothing proves nothing.
+        assert!(!Check::at_least("t", "s", f64::INFINITY, 2.0, "").passed);
+        assert!(!Check::more_than("t", "s", f64::INFINITY, 2.0, "").passed);
     }
 }

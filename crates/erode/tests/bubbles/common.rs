@@ -55,6 +55,7 @@ pub(crate) fn summary(dir: &Path) -> serde_json::Value {
 pub(crate) fn checkpoints(dir: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(dir.join("checkpoints")).unwrap();
     let mut paths: Vec<PathBuf> = entries.map(|e| e.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "erode"));
     paths.sort();
     paths
 }

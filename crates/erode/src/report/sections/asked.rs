@@ -47,6 +47,10 @@ pub(crate) fn write_head(page: &mut Page, data: &RunData, title: &str) {
     for trouble in &data.troubles {
         page.alert(trouble);
     }
+    let findings = data.summary.get("findings").and_then(Value::as_array);
+    for finding in findings.into_iter().flatten().filter_map(Value::as_str) {
+        page.alert(finding);
+    }
 }
 
 /// Why the run is not a finished one, if it is not.

@@ -151,47 +151,63 @@ fn trend_of_radius(small: &Eroded, large: &Eroded) -> Vec<Check> {
 /// Without and with the growth of the yield stress with the rate.
 fn trend_of_rate(without: &Eroded, with: &Eroded) -> (Vec<Check>, String) {
     let title = format!("{}, C0 = 0.031 beside 0", without.case.name());
-    let more = |a: f64, b: f64| a / b - 1.0;
     let (line, curve) = (|e: &Eroded| e.found.line_strain, |e: &Eroded| e.curve);
     let rows = [
         (
             "plastic strain on the line, excess without rate",
-            more(line(without), line(with)),
+            [line(without), line(with)],
             // "10 %" is taken as 5 to 15 %.
             (0.05, 0.15, "10 %"),
         ),
         (
             "mass lost, excess without rate",
-            more(curve(without).final_loss, curve(with).final_loss),
+            [curve(without).final_loss, curve(with).final_loss],
             (0.08, 0.15, "8 to 15 %"),
         ),
         (
             "time of the first loss, excess with rate",
-            more(curve(with).onset, curve(without).onset),
+            [curve(with).onset, curve(without).onset],
             (0.03, 0.08, "3 to 8 %"),
         ),
     ];
     let (mut said, mut checks) = (Vec::new(), Vec::new());
-    for (what, value, (low, high, printed)) in rows {
-        if value.is_nan() {
-            said.push(format!("{what}: nothing yields there"));
-            continue;
-        }
-        checks.push(Check::at_least(
-            format!("{title}: {what}"),
-            "-",
-            value,
-            0.0,
-            "sign printed in section 5.4.3; the size stands in the notes",
-        ));
-        let met = (low..=high).contains(&value);
-        let verdict = if met { "met" } else { "not met" };
-        said.push(format!(
-            "{what} {:.1} % (printed {printed}: {verdict})",
-            100.0 * value
-        ));
+    for (what, pair, printed) in rows {
+        let (check, words) = excess(&title, what, pair, printed);
+        checks.extend(check);
+        said.push(words);
     }
     (checks, format!("{title}: {}", said.join("; ")))
+}
+
+/// By how much the first of a pair exceeds the second; no check where both are exactly 0.
+fn excess(
+    title: &str,
+    what: &str,
+    [more, less]: [f64; 2],
+    (low, high, printed): (f64, f64, &str),
+) -> (Option<Check>, String) {
+    if more == 0.0 && less == 0.0 {
+        return (None, format!("{what}: nothing yields there"));
+    }
+    let value = more / less - 1.0;
+    let check = Check::at_least(
+        format!("{title}: {what}"),
+        "-",
+        value,
+        0.0,
+        "sign printed in section 5.4.3; the size stands in the notes",
+    );
+    if !value.is_finite() {
+        let check = check.without_data("one of both could not be determined, or is nothing");
+        return (Some(check), format!("{what}: not determined"));
+    }
+    let met = (low..=high).contains(&value);
+    let verdict = if met { "met" } else { "not met" };
+    let words = format!(
+        "{what} {:.1} % (printed {printed}: {verdict})",
+        100.0 * value
+    );
+    (Some(check), words)
 }
 
 fn figures(all: &[Eroded]) -> Vec<Figure> {
@@ -208,4 +224,21 @@ fn figures(all: &[Eroded]) -> Vec<Figure> {
         line.add(&e.case.title(), Style::Line, e.found.line.clone());
     }
     vec![loss, line]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_could_not_be_determined_is_not_passed_over() {
+        let excess = |pair| excess("", "strain", pair, (0.05, 0.15, "10 %"));
+        assert!(excess([1.1, 1.0]).0.unwrap().passed && !excess([0.9, 1.0]).0.unwrap().passed);
+        // Where nothing yields there is nothing to compare.
+        assert!(excess([0.0, 0.0]).0.is_none());
+        for pair in [[f64::NAN, 1.0], [1.0, f64::NAN], [f64::NAN; 2], [1.0, 0.0]] {
+            let check = excess(pair).0.unwrap();
+            assert!(!check.passed && !check.is_judged(), "{pair:?}");
+        }
+    }
 }

@@ -24,6 +24,7 @@ const FULL: &[usize] = &[15, 30, 60];
 
 /// Particles per radius at the start, and of the radius that the cavity has later.
 const REFINED: (usize, usize) = (30, 20);
+const REFINED_QUICK: (usize, usize) = (15, 15);
 
 /// Radii between which times are judged, R/R0.
 const RANGE: (f64, f64) = (0.3, 0.94);
@@ -76,15 +77,13 @@ fn run(quick: bool, say: &mut dyn FnMut(&str)) -> Result<Finding, Failure> {
         ));
     }
     finding.checks.extend(orders(&runs, &reference)?);
-    if !quick {
-        let (n, kept) = REFINED;
-        say(&format!("{n} particles per radius, refined to {kept}"));
-        let run = collapse::run(n, Some(kept))?;
-        finding.checks.extend(refined::judge(&run, &reference)?);
-        finding.notes.push(refined::note(&run));
-        finding.notes.push(refined::beside(&runs, &run, &reference));
-        runs.push(run);
-    }
+    let (n, kept) = if quick { REFINED_QUICK } else { REFINED };
+    say(&format!("{n} particles per radius, refined to {kept}"));
+    let run = collapse::run(n, Some(kept))?;
+    finding.checks.extend(refined::judge(&run, &reference)?);
+    finding.notes.push(refined::note(&run));
+    finding.notes.push(refined::beside(&runs, &run, &reference));
+    runs.push(run);
     finding.figures.push(radius_figure(&runs, &reference));
     finding.figures.push(speed_figure(&runs, &reference));
     Ok(finding)

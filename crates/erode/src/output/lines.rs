@@ -2,7 +2,7 @@
 
 /// Lines that only the old text has (`-`) and that only the new one has (`+`), in order; at most `most` of them, and a
 /// line that says how many more there are.
-pub(super) fn difference(old: &str, new: &str, most: usize) -> Vec<String> {
+pub(crate) fn difference(old: &str, new: &str, most: usize) -> Vec<String> {
     let (a, b): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
     let longest = longest_common(&a, &b);
     let (mut i, mut j) = (0, 0);
