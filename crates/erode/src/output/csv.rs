@@ -282,6 +282,27 @@ impl Table {
         Some(&self.columns.iter().find(|column| column.name == name)?.unit)
     }
 
+    /// The rows with a `time` within these two; of several at the very beginning the last one. All rows of a table without
+    /// times.
+    #[must_use]
+    pub fn between(&self, begin: f64, end: f64) -> Self {
+        let Some(time) = self.column("time") else {
+            return self.clone();
+        };
+        let last_at = time.iter().rposition(|t| *t == begin);
+        let inside =
+            |k: usize| last_at.is_none_or(|at| k >= at) && time[k] >= begin && time[k] <= end;
+        let keep = |column: &Vec<f64>| {
+            let rows = column.iter().enumerate();
+            rows.filter(|(k, _)| inside(*k)).map(|(_, v)| *v).collect()
+        };
+        Self {
+            columns: self.columns.clone(),
+            values: self.values.iter().map(keep).collect(),
+            unfinished: self.unfinished,
+        }
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.values.first().map_or(0, Vec::len)

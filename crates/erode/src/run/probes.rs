@@ -1,5 +1,6 @@
 //! Fields at points fixed in space, and snapshots of whole bodies.
 
+use crate::case::BodyKind;
 use crate::output::{Column, Data, Field, Snapshot};
 use erode_sph::fluid::Fluid;
 use erode_sph::geometry::Vec2;
@@ -30,10 +31,10 @@ const SOLID: [(&str, &str); 9] = [
 
 /// Columns of a probe in a body.
 #[must_use]
-pub(crate) fn columns(body: &Body) -> Vec<Column> {
+pub(crate) fn columns(body: &BodyKind) -> Vec<Column> {
     let fields: &[(&str, &str)] = match body {
-        Body::Fluid(_) => &FLUID,
-        Body::Solid(_) => &SOLID,
+        BodyKind::Fluid(_) => &FLUID,
+        BodyKind::Solid(_) => &SOLID,
     };
     std::iter::once(&("time", "s"))
         .chain(fields)
