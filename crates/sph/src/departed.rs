@@ -10,6 +10,8 @@ use serde::{Deserialize, Serialize};
 pub struct Departed {
     /// Liquids that were taken out.
     pub liquids: u64,
+    /// Particles of the last one.
+    pub particles: u64,
     /// What they had counted.
     pub account: Account,
     /// Energy that left with them less that which new ones brought (kinetic, compression, gas), J.
@@ -25,6 +27,7 @@ pub struct Departed {
 impl Departed {
     fn count(&mut self, fluid: &Fluid) {
         self.liquids += 1;
+        self.particles = fluid.len() as u64;
         self.energy += energy(fluid);
         let (sum, one) = (&mut self.account, &fluid.account);
         sum.dissipation += one.dissipation;

@@ -66,7 +66,7 @@ pub(crate) fn read(f: Fields<'_>, around: &Around<'_>, findings: &mut Findings) 
     let bubbles = if f.node("random").is_some() {
         drawn(f.table("random")?, &wall, around, findings)?
     } else {
-        listed(f, &wall, around)?
+        listed(f, &wall, around, findings)?
     };
     let s = f.table("settling")?;
     let given = |key: &str| s.node(key).map(|_| s.number(key));
@@ -230,7 +230,12 @@ fn is_liquid(b: &Built) -> bool {
     matches!(b.body.kind, BodyKind::Fluid(_))
 }
 
-fn listed(f: Fields<'_>, wall: &Wall, around: &Around<'_>) -> Option<Vec<(Impact, Span)>> {
+fn listed(
+    f: Fields<'_>,
+    wall: &Wall,
+    around: &Around<'_>,
+    findings: &mut Findings,
+) -> Option<Vec<(Impact, Span)>> {
     let mut bubbles = Vec::new();
     for node in f.list("bubble") {
         let b = node.fields()?;
@@ -238,6 +243,12 @@ fn listed(f: Fields<'_>, wall: &Wall, around: &Around<'_>) -> Option<Vec<(Impact
             Some(_) => b.number(key),
             None => Some(otherwise),
         };
+        if b.number("position")? != 0.0 {
+            let message = "every bubble of a sequence lies on the axis (in plane strain on the plane of symmetry): only half of what happens is computed";
+            let help = "leave `position` out; impacts beside each other need three dimensions";
+            findings.error(b.at("position"), message, "must be 0", help);
+            return None;
+        }
         let radius = number("radius", wall.first.radius)?;
         let standoff = number("standoff", wall.standoff)?;
         let pressure = number("driving_pressure", wall.first.driving_pressure)?;

@@ -3,7 +3,7 @@
 use super::{
     schema::{
         Kind::{Count, List, Quantity},
-        Range::{Between, Positive},
+        Range::{Any, Between, Positive},
         Table, default, optional, required, table,
     },
     units::{LENGTH, NUMBER, PRESSURE, RATE, TIME},
@@ -43,6 +43,12 @@ static BUBBLE: Table = table(
             "standoff",
             Quantity(NUMBER, Positive),
             "distance from the bubble's centre to the wall / radius",
+        ),
+        default(
+            "position",
+            Quantity(LENGTH, Any),
+            "0",
+            "place along the wall; 0: all bubbles lie on the axis, or on the plane of symmetry",
         ),
         optional(
             "driving_pressure",

@@ -197,17 +197,24 @@ fn sequence(i: &Impacts) -> String {
             values().fold(f64::INFINITY, f64::min),
             values().fold(0.0, f64::max),
         );
+        let shown = |x| {
+            if unit == "-" {
+                significant(x)
+            } else {
+                si(x, unit)
+            }
+        };
         if low == high {
-            si(low, unit)
+            shown(low)
         } else {
-            format!("{} to {}", si(low, unit), si(high, unit))
+            format!("{} to {}", shown(low), shown(high))
         }
     };
     format!(
         "{}, radius {}, stand-off {}, driven by {}, {} each",
         i.bubbles.len(),
         range(|b| b.radius, "m"),
-        range(|b| b.standoff, ""),
+        range(|b| b.standoff, "-"),
         range(|b| b.driving_pressure, "Pa"),
         range(|b| b.duration, "s")
     )

@@ -147,6 +147,11 @@ impl TableWriter {
         Ok(())
     }
 
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
     /// Number of rows so far; a checkpoint records it.
     pub fn rows(&self) -> u64 {
         self.rows
@@ -282,16 +287,13 @@ impl Table {
         Some(&self.columns.iter().find(|column| column.name == name)?.unit)
     }
 
-    /// The rows with a `time` within these two; of several at the very beginning the last one. All rows of a table without
-    /// times.
+    /// The rows with a `time` within these two; all rows of a table without times.
     #[must_use]
     pub fn between(&self, begin: f64, end: f64) -> Self {
         let Some(time) = self.column("time") else {
             return self.clone();
         };
-        let last_at = time.iter().rposition(|t| *t == begin);
-        let inside =
-            |k: usize| last_at.is_none_or(|at| k >= at) && time[k] >= begin && time[k] <= end;
+        let inside = |k: usize| (begin..=end).contains(&time[k]);
         let keep = |column: &Vec<f64>| {
             let rows = column.iter().enumerate();
             rows.filter(|(k, _)| inside(*k)).map(|(_, v)| *v).collect()

@@ -97,9 +97,12 @@ impl Files {
             wall.write_row(world)?;
         }
         for (probe, table) in simulation.probes.iter().zip(&mut self.probes) {
-            if let Some(b) = body(world, &probe.body) {
-                table.write_row(&probes::row(b, world.time, probe.position))?;
-            }
+            let row = match body(world, &probe.body) {
+                Some(b) => probes::row(b, world.time, probe.position),
+                // A liquid that was taken away.
+                None => probes::nothing(world.time, table.columns()),
+            };
+            table.write_row(&row)?;
         }
         Ok(())
     }

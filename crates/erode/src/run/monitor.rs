@@ -33,7 +33,7 @@ pub(crate) struct Record {
     pub initial_balance: f64,
     /// Mass at the start, kg.
     pub initial_mass: f64,
-    /// Change of the mass of a liquid that was taken away / its mass at the start.
+    /// Largest change of the mass of a liquid that was taken away / its mass at the start.
     #[serde(default)]
     pub mass_drift: Option<f64>,
     /// Void volume at the start, m3.
@@ -368,6 +368,12 @@ impl Record {
     pub(crate) fn mass_drift_of(&self, world: &World) -> Option<f64> {
         let mass: f64 = liquid(world)?.mass.iter().sum();
         (self.initial_mass > 0.0).then(|| mass / self.initial_mass - 1.0)
+    }
+
+    /// The largest of this liquid and those that were taken away.
+    pub(crate) fn largest_mass_drift(&self, world: &World) -> Option<f64> {
+        let drifts = self.mass_drift.into_iter().chain(self.mass_drift_of(world));
+        drifts.max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
     /// After every step: what must not be missed between rows.

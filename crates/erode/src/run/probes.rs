@@ -64,6 +64,14 @@ pub(crate) fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
     std::iter::once(time).chain(values).collect()
 }
 
+/// A row of a probe in a body that is not there.
+#[must_use]
+pub(crate) fn nothing(time: f64, columns: usize) -> Vec<f64> {
+    let mut row = vec![f64::NAN; columns];
+    row[0] = time;
+    row
+}
+
 /// Area of a particle, m2; zero where it was removed by failure.
 fn area_left(s: &Solid, a: usize) -> f64 {
     if s.is_removed(a) {

@@ -33,18 +33,20 @@ pub(crate) fn summary(
         record.energy_drift / record.energy_scale.max(f64::MIN_POSITIVE),
     );
     s.set("energy_residual", "J", record.energy_drift);
-    if let Some(drift) = record.mass_drift_of(world).or(record.mass_drift) {
+    if let Some(drift) = record.largest_mass_drift(world) {
         s.set("mass_drift", "-", drift);
     }
-    let particles: usize = world
-        .bodies
-        .iter()
-        .map(|b| match &b.body {
-            Body::Fluid(f) => f.len(),
-            Body::Solid(s) => s.len(),
-        })
-        .sum();
-    s.set_count("particles", particles as u64);
+    let present = world.bodies.iter().map(|b| match &b.body {
+        Body::Fluid(f) => f.len() as u64,
+        Body::Solid(s) => s.len() as u64,
+    });
+    // A liquid that was taken away belongs to the run as well.
+    let gone = if liquid(world).is_none() {
+        world.departed.particles
+    } else {
+        0
+    };
+    s.set_count("particles", present.sum::<u64>() + gone);
     s.set_count("steps", world.step);
     s.set("end_time", "s", world.time);
     s.set("wall_time", "s", wall_time);

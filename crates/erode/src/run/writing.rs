@@ -13,7 +13,11 @@ impl Run {
         let now = self.world.time;
         let due = |every: f64| every > 0.0 && (now / every).floor() > (before / every).floor();
         let over = self.finished() || self.stage_over();
-        if due(output.history_every) || over {
+        let settling = self.sequence.as_ref().is_some_and(Sequence::is_settling);
+        // The first row of the next impact has the same time.
+        let followed = (self.sequence.as_ref()).is_some_and(|s| !s.is_last()) && settling && over;
+        let followed = followed && !self.finished();
+        if (due(output.history_every) || over) && !followed {
             self.write_row(self.last.0)?;
             self.refuse(watch::open_ledger(
                 &self.world,
@@ -22,7 +26,6 @@ impl Run {
             ))?;
         }
         // While a wall settles nothing is to be seen but waves; its rest is the beginning of the next impact.
-        let settling = self.sequence.as_ref().is_some_and(Sequence::is_settling);
         if (due(output.fields_every) || over) && (!settling || self.finished()) {
             self.files.write_fields(&self.world)?;
         }

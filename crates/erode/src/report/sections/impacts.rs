@@ -90,7 +90,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
          more harm in one place than bubbles that are scattered over a wall do. Pressure does not act on the ground \
          of a hole where material was lost: what the curve shows after the first loss is an outline.",
     );
-    page.paragraph("The chapters on fields, bubble and wall pressure below show the last impact; times count from the start of the first.");
+    page.paragraph("Numbers on bubble, jet and wall pressure in the table of results, and the chapters on fields, bubble and wall pressure, are those of the last impact; times count from the start of the first.");
 }
 
 /// What came out, in a few sentences.

@@ -274,7 +274,7 @@ impl Run {
     }
 
     fn begin_settling(&mut self, sequence: &mut Sequence) {
-        self.record.mass_drift = self.record.mass_drift_of(&self.world);
+        self.record.mass_drift = self.record.largest_mass_drift(&self.world);
         let row = &mut sequence.state.row;
         row.bubble_volume = self.record.initial_volume;
         row.jet_speed = (self.record.jet_speed).filter(|_| self.record.jet_time.is_some());
@@ -358,6 +358,7 @@ impl Record {
         *self = Self {
             initial_balance: self.initial_balance,
             max_strain_rate: self.max_strain_rate,
+            mass_drift: self.mass_drift,
             energy_scale: self.energy_scale,
             energy_drift: self.energy_drift,
             limiters: std::mem::take(&mut self.limiters),

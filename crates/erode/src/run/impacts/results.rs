@@ -3,6 +3,7 @@
 use super::Sequence;
 use super::incubation::{Incubation, loss_per_impact};
 use super::table::Row;
+use crate::analysis::plastic_potential;
 use crate::output::{Summary, Table};
 
 /// Adds the scalars of a sequence to the summary.
@@ -26,6 +27,11 @@ pub(in crate::run) fn add(s: &mut Summary, sequence: &Sequence) {
         "-",
         rows.last().map_or(f64::NAN, |r| r.max_damage),
     );
+    if let (Some(row), Some(bubble)) = (rows.last(), s.get("bubble_energy")) {
+        // Of the last bubble alone, as its energy is.
+        let share = plastic_potential(row.absorbed_energy, bubble);
+        s.set("plastic_deformation_potential_share", "-", share);
+    }
     let largest = |of: fn(&Row) -> f64| rows.iter().map(of).fold(0.0, f64::max);
     s.set("settling_residual", "-", largest(|r| r.settling_residual));
     s.set(
