@@ -174,8 +174,8 @@ fn strain_adds_up_and_tells_when_mass_is_lost() {
     }
 }
 
-/// An elastic wall is as it was: the second of two equal impacts finds the same wall. What is left of its motion lifts the
-/// liquid by 1e-6 of a spacing; the jet makes more of it.
+/// An elastic wall is as it was: the second of two equal impacts finds the same wall. Where settling ended the surface is 2e-10 m
+/// deep, 1e-5 of a spacing, and the liquid follows it; the jet, of which a particle or two are read, makes half a percent of it.
 #[test]
 fn an_elastic_wall_forgets() {
     let hardening = NEAR.lines().find(|l| l.starts_with("strength")).unwrap();
@@ -183,13 +183,6 @@ fn an_elastic_wall_forgets() {
     let (_a, dir) = finished(&format!("{elastic}[[impacts.bubble]]\ntimes = 2\n"));
     let table = impacts(&dir);
     let of = |name: &str| column(&table, name);
-    println!(
-        "{:?} {:?} {:?} {:?}",
-        of("pit_depth"),
-        of("jet_speed"),
-        of("peak_wall_pressure"),
-        of("wall_drift")
-    );
     assert_eq!(of("plastic_work"), [0.0; 2]);
     // 1e-4 of a spacing; under the impact it is a few hundredths.
     assert!(
@@ -201,7 +194,8 @@ fn an_elastic_wall_forgets() {
         let v = of(name);
         assert!((v[1] / v[0] - 1.0).abs() < tolerance, "{name} {v:?}");
     };
-    alike("bubble_volume", 1e-6);
+    // 3 x 2e-10 m over the radius.
+    alike("bubble_volume", 1e-5);
     alike("jet_speed", 0.02);
     alike("peak_wall_pressure", 0.05);
     alike("wall_drift", 0.01);

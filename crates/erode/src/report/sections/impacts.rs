@@ -71,15 +71,12 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
         .is_some_and(|m| m.iter().any(|m| *m > 0.0))
     {
         figures.push((
-            curve(data, table, "lost_mass", ("lost mass", "kg")),
+            curve(table, "lost_mass", ("lost mass", "kg")),
             "Mass that failed or came loose and was taken out, of the whole ring.".to_owned(),
         ));
     }
     for (column, label, unit, caption) in CURVES {
-        figures.push((
-            curve(data, table, column, (label, unit)),
-            caption.to_owned(),
-        ));
+        figures.push((curve(table, column, (label, unit)), caption.to_owned()));
     }
     page.figures(&figures);
     write_table(page, table);
@@ -99,14 +96,14 @@ fn in_words(data: &RunData, table: &Table) -> String {
     let n = table.rows();
     let impacts = if n == 1 { "impact" } else { "impacts" };
     let damage = last("max_damage").unwrap_or(f64::NAN);
-    if let Some(first) = data.number("incubation_impacts") {
+    if let Some(first) = first_loss(table) {
         let rate = data
             .number("lost_mass_per_impact")
             .map_or_else(String::new, |m| {
                 format!(", from then on {} per impact", quantity(m, "kg"))
             });
         return format!(
-            "Incubation: mass was lost first in impact {first:.0} of {n}{rate}; {} in all.",
+            "Incubation: mass was lost first in impact {first} of {n}{rate}; {} in all.",
             quantity(last("lost_mass").unwrap_or(f64::NAN), "kg")
         );
     }
@@ -115,6 +112,7 @@ fn in_words(data: &RunData, table: &Table) -> String {
             " The largest damage is {damage:.3}. Estimate: it reaches 1 after about {estimate:.0} impacts, if every further \
              impact adds as much damage at the same place as the last ones did on average (Miner's rule over the last half of the sequence)."
         ),
+        None if data.summary.is_null() => " The run has not ended.".to_owned(),
         None if damage > 0.0 => {
             format!(
                 " The largest damage is {damage:.3} and did not grow: nothing tells when mass will be lost."
@@ -128,8 +126,14 @@ fn in_words(data: &RunData, table: &Table) -> String {
     format!("No mass was lost within {n} {impacts}.{estimate}")
 }
 
+/// Number of the impact in which mass was lost first.
+fn first_loss(table: &Table) -> Option<usize> {
+    let lost = table.column("lost_mass")?;
+    lost.iter().position(|m| *m > 0.0).map(|k| k + 1)
+}
+
 /// A column over the number of the impact, from nothing before the first.
-fn curve(data: &RunData, table: &Table, column: &str, (label, unit): (&str, &str)) -> String {
+fn curve(table: &Table, column: &str, (label, unit): (&str, &str)) -> String {
     let values = table.column(column).unwrap_or(&[]);
     let numbers = (1..).map(f64::from);
     let points: Vec<[f64; 2]> = std::iter::once([0.0, 0.0])
@@ -144,8 +148,8 @@ fn curve(data: &RunData, table: &Table, column: &str, (label, unit): (&str, &str
     let plot = Plot::new(Axis::new("impacts", "-"), Axis::new(label, unit))
         .series(series(Style::Line))
         .series(series(Style::Points));
-    match data.number("incubation_impacts") {
-        Some(first) => plot.event(first, "first loss"),
+    match first_loss(table) {
+        Some(first) => plot.event(first as f64, "first loss"),
         None => plot,
     }
     .to_svg()
