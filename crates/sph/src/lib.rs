@@ -3,6 +3,7 @@
 //! SI units; positions are (r, z) in axisymmetry with the axis at r = 0, (x, y) in plane strain.
 
 pub mod cavity;
+pub mod departed;
 pub mod fluid;
 pub mod geometry;
 pub mod interact;

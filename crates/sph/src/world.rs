@@ -1,5 +1,6 @@
 //! The bodies of a simulation and the order of a step (the picture of it: docs/step.md).
 
+use crate::departed::Departed;
 use crate::fluid::ghosts::{Plane, Wall};
 use crate::fluid::step::Sweep;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
@@ -41,6 +42,8 @@ pub struct World {
     pub step: u64,
     /// Step of a liquid as a fraction of h over wave speed.
     pub safety: f64,
+    /// What left with liquids that were taken out.
+    pub departed: Departed,
     /// Where the time of the steps went.
     pub phases: Phases,
 }
@@ -120,6 +123,7 @@ impl World {
             time: 0.0,
             step: 0,
             safety,
+            departed: Departed::default(),
             phases: Phases::default(),
         })
     }

@@ -18,6 +18,7 @@ pub fn check_advice(simulation: &Simulation) -> Vec<String> {
     if let Some(bubble) = &simulation.bubble {
         bubble_advice(simulation, bubble, &mut advice);
     }
+    impacts_advice(simulation, &mut advice);
     for body in &simulation.bodies {
         interface_advice(simulation, body, &mut advice);
         layer_advice(body, &mut advice);
@@ -98,6 +99,39 @@ fn bubble_advice(s: &Simulation, bubble: &Bubble, advice: &mut Vec<String>) {
                 "the run ends at {:.3e} s, before the bubble can collapse (step arrives at {arrival:.3e} s, collapse takes {rayleigh:.3e} s)",
                 s.run.end_time
             ));
+        }
+    }
+}
+
+/// Every bubble of a sequence needs time to collapse, and room.
+fn impacts_advice(s: &Simulation, advice: &mut Vec<String>) {
+    let (Some(impacts), Some(first)) = (&s.impacts, &s.bubble) else {
+        return;
+    };
+    for body in &s.bodies {
+        let BodyKind::Fluid(fluid) = &body.kind else {
+            continue;
+        };
+        let (lower, upper) = body.shape.bounding_box();
+        let first_way = arrival_time(body, first, upper[1] - lower[1]);
+        for (k, b) in impacts.bubbles.iter().enumerate() {
+            let number = k + 1;
+            let density = fluid.eos.reference_density;
+            let rayleigh = 0.915 * b.radius * (density / b.driving_pressure).sqrt();
+            let arrival = first_way * b.radius / first.radius;
+            if b.duration < arrival + rayleigh {
+                advice.push(format!(
+                    "bubble {number} of the sequence has {:.3e} s, too little for its collapse (step arrives after {arrival:.3e} s, collapse takes {rayleigh:.3e} s)",
+                    b.duration
+                ));
+            }
+            let edge = upper[0] / b.radius;
+            if edge < 4.0 {
+                advice.push(format!(
+                    "`{}` ends {edge:.1} radii beside bubble {number} of the sequence: below 4 its edge acts on the collapse",
+                    body.name
+                ));
+            }
         }
     }
 }

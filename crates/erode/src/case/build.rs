@@ -5,6 +5,7 @@ use super::{
     bubbles, cloud,
     error::{Findings, Span},
     estimate,
+    impacts::{self, Impacts},
     loads::{self, Loads},
     node::{Fields, Node},
     relations,
@@ -40,6 +41,7 @@ pub(crate) fn simulation(
     let of_setup = setup.as_ref().and_then(|s| s.bubble);
     let bubble = own_bubble(f, &bodies, of_setup, complete, findings).or(of_setup);
     let loads = loads(f, setup.as_ref(), &bodies, complete, geometry, findings);
+    let sequence = sequence(f, setup.as_ref(), &bodies, bubble, findings);
     let probes = probes(f, &bodies, complete, findings);
     relations::check(&bodies, complete, geometry, findings);
     let gas = bubble.as_ref().is_some_and(|b| b.gas.is_some());
@@ -50,10 +52,22 @@ pub(crate) fn simulation(
     relations::check_refinement(&bodies, bubble.is_some() || !complete, gas, findings);
     estimate::check_memory(&bodies, geometry, findings);
     let title = f.text("title")?;
-    let title = setup
-        .filter(|_| title.is_empty())
-        .map_or_else(|| title.to_owned(), |s| s.title);
-    let run = run?;
+    let number = sequence.as_ref().map_or(1, |i| i.bubbles.len());
+    let title = setup.filter(|_| title.is_empty()).map_or_else(
+        || title.to_owned(),
+        |s| match number {
+            1 => s.title,
+            n => format!("{}, {n} impacts", s.title),
+        },
+    );
+    let mut run = run?;
+    let impacts = match f.node("impacts") {
+        Some(_) => Some(sequence?),
+        None => None,
+    };
+    if let Some(first) = impacts.as_ref().and_then(|i| i.bubbles.first()) {
+        run.end_time = first.duration;
+    }
     let output = output(f, run.end_time)?;
     let bodies = bodies.into_iter().map(|b| b.body).collect();
     Some(Simulation {
@@ -65,6 +79,7 @@ pub(crate) fn simulation(
         probes,
         bubble,
         loads: loads?,
+        impacts,
         single_bubble: None,
         bubble_cloud: None,
     })
@@ -78,7 +93,7 @@ fn bubbles(
     findings: &mut Findings,
 ) -> Option<Simulation> {
     for key in [
-        "body", "bubble", "probe", "geometry", "indenter", "pressure", "settling",
+        "body", "bubble", "probe", "geometry", "indenter", "pressure", "settling", "impacts",
     ] {
         // The default geometry has the place of the whole file.
         if f.node(key).is_some_and(|n| n.span != f.span) {
@@ -123,6 +138,7 @@ fn bubbles(
         probes: Vec::new(),
         bubble: None,
         loads: Loads::default(),
+        impacts: None,
         single_bubble,
         bubble_cloud,
     })
@@ -226,6 +242,35 @@ fn loads(
             None
         }
     }
+}
+
+/// The sequence of impacts, if the case asks for one and nothing is wrong with it.
+fn sequence(
+    f: Fields<'_>,
+    setup: Option<&Expansion>,
+    bodies: &[Built],
+    bubble: Option<Bubble>,
+    findings: &mut Findings,
+) -> Option<Impacts> {
+    f.node("impacts")?;
+    let failed = f.node("setup").is_some() && setup.is_none();
+    if failed || (bubble.is_none() && f.node("bubble").is_some()) {
+        return None;
+    }
+    let given = f.table("run").filter(|r| r.node("end_time").is_some());
+    let duration = |radius: f64, pressure: f64| match given {
+        Some(run) => run.number("end_time"),
+        None => setup?.duration(radius, pressure),
+    };
+    let loads = ["indenter", "pressure", "settling"];
+    let around = impacts::Around {
+        bodies,
+        bubble,
+        duration: &duration,
+        loads: loads.iter().any(|k| f.node(k).is_some())
+            || setup.is_some_and(|s| !s.loads.is_empty()),
+    };
+    impacts::read(f, &around, findings)
 }
 
 /// Gas of a bubble, if it has any; nothing if it is wrong.

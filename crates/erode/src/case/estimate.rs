@@ -67,7 +67,7 @@ pub fn estimate(simulation: &Simulation) -> Estimate {
             limit = (step_of(body), &body.name);
         }
     }
-    let steps = (simulation.run.end_time / limit.0).ceil();
+    let steps = (duration(simulation) / limit.0).ceil();
     #[allow(clippy::cast_precision_loss)]
     let steps = simulation
         .run
@@ -102,6 +102,17 @@ fn refined(simulation: &Simulation) -> Option<Refined> {
             step: step(body, spacing, simulation),
         })
     })
+}
+
+/// Simulated time of the whole run, s: of a sequence that of all impacts, with settling as long as a body needs whose motion
+/// falls at half the rate of the damping.
+#[must_use]
+pub fn duration(simulation: &Simulation) -> f64 {
+    let Some(i) = &simulation.impacts else {
+        return simulation.run.end_time;
+    };
+    let settling = (-2.0 * i.settling.residual.ln() / i.settling.damping).min(i.settling.longest);
+    i.bubbles.iter().map(|b| b.duration + settling).sum()
 }
 
 /// About how many particles fill a body.

@@ -5,6 +5,7 @@ use super::{
     keys_bubbles::SINGLE_BUBBLE,
     keys_cloud::BUBBLE_CLOUD,
     keys_damage::DAMAGE,
+    keys_impacts::IMPACTS,
     keys_load::{INDENTATION, INDENTER, LOAD, PRESSURE_PULSE, SETTLING},
     keys_material::MATERIAL,
     schema::{
@@ -61,6 +62,11 @@ pub(crate) static CASE: Table = table(
             "settling",
             Nested(&SETTLING),
             "damping of the solids after a load",
+        ),
+        optional(
+            "impacts",
+            Nested(&IMPACTS),
+            "bubbles that collapse one after the other next to the same wall",
         ),
         default("run", Nested(&RUN), "", "duration and stepping"),
         default(

@@ -4,6 +4,7 @@ use super::{
     body::named,
     bubbles::single_bubble_items,
     cloud::bubble_cloud_items,
+    impacts::impacts_items,
     resolved::{Item, Items},
     resolved_loads::load_items,
     simulation::{
@@ -50,6 +51,11 @@ pub(crate) fn case_items(s: &Simulation) -> Items {
     ));
     items.extend(s.bubble.map(|b| ("bubble", Item::Table(bubble_items(&b)))));
     items.extend(load_items(&s.loads));
+    items.extend(
+        s.impacts
+            .as_ref()
+            .map(|i| ("impacts", Item::Table(impacts_items(i)))),
+    );
     items.push(("run", Item::Table(run)));
     items.push(("output", Item::Table(output)));
     items.push((

@@ -27,6 +27,32 @@ pub(crate) struct Expansion {
     pub(crate) bubble: Option<Bubble>,
     pub(crate) loads: Loads,
     pub(crate) end_time: f64,
+    /// How long other bubbles next to the same wall take.
+    pub(crate) near_wall: Option<NearWallTime>,
+}
+
+/// How long bubbles next to a wall take.
+pub(crate) struct NearWallTime {
+    eos: Tait,
+    /// Liquid above the centre / radius.
+    height: f64,
+}
+
+impl Expansion {
+    /// Time that a bubble of a radius (m) and driving pressure (Pa) next to the same wall needs, s.
+    pub(crate) fn duration(&self, radius: f64, pressure: f64) -> Option<f64> {
+        let own = self.bubble?;
+        if radius == own.radius && pressure == own.driving_pressure {
+            return Some(self.end_time);
+        }
+        let t = self.near_wall.as_ref()?;
+        Some(near_wall_time(
+            &t.eos,
+            radius,
+            pressure,
+            (t.height - 1.0) * radius,
+        ))
+    }
 }
 
 /// Expands the chosen setup.
@@ -79,9 +105,8 @@ impl NearWall {
 
     /// The step reaches the top of the bubble, the bubble collapses, the shock runs into the wall.
     fn end_time(&self, eos: &Tait) -> f64 {
-        let c = eos.sound_speed;
-        let collapse = RAYLEIGH * self.radius * (eos.reference_density / self.pressure).sqrt();
-        (self.height - self.distance - self.radius) / c + 1.25 * collapse + 4.0 * self.radius / c
+        let above = self.height - self.distance - self.radius;
+        near_wall_time(eos, self.radius, self.pressure, above)
     }
 
     fn liquid(&self, kind: Fluid, axis: Side) -> Body {
@@ -154,6 +179,13 @@ impl NearWall {
     }
 }
 
+/// The same for a bubble with so much liquid above its top, m.
+fn near_wall_time(eos: &Tait, radius: f64, pressure: f64, above: f64) -> f64 {
+    let c = eos.sound_speed;
+    let collapse = RAYLEIGH * radius * (eos.reference_density / pressure).sqrt();
+    above / c + 1.25 * collapse + 4.0 * radius / c
+}
+
 fn bubble_near_wall(
     f: Fields<'_>,
     geometry: Geometry,
@@ -201,6 +233,10 @@ fn bubble_near_wall(
             solid.material
         ),
         end_time: n.end_time(&eos),
+        near_wall: Some(NearWallTime {
+            eos,
+            height: f.number("height")?,
+        }),
         bubble: Some(Bubble {
             centre: [0.0, n.distance],
             radius: n.radius,
@@ -255,6 +291,7 @@ fn bubble_in_liquid(
             * RAYLEIGH
             * radius
             * (eos.reference_density / pressure).sqrt(),
+        near_wall: None,
         bubble: Some(Bubble {
             centre: [0.0, 0.0],
             radius,

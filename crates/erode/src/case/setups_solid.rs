@@ -118,6 +118,7 @@ pub(super) fn indentation(
         }],
         bubble: None,
         loads,
+        near_wall: None,
         end_time: ramp.rise + ramp.hold + ramp.fall * 1.5,
     })
 }
@@ -178,6 +179,7 @@ pub(super) fn pressure_pulse(
         }],
         bubble: None,
         loads,
+        near_wall: None,
         end_time: 2.0 * peak_time + 3.0 * transit,
     })
 }

@@ -1,6 +1,6 @@
 //! What a run needs: a case after checking, every default filled in, SI throughout.
 
-use super::{bubbles::SingleBubble, cloud::BubbleCloud, loads::Loads};
+use super::{bubbles::SingleBubble, cloud::BubbleCloud, impacts::Impacts, loads::Loads};
 use erode_physics::{Elastic, damage::Damage, eos::Tait, strength::Strength};
 use erode_sph::{Geometry, packing::Spacing, shapes::Shape};
 use serde::{Deserialize, Serialize};
@@ -25,6 +25,9 @@ pub struct Simulation {
     /// What acts on the solids.
     #[serde(default)]
     pub loads: Loads,
+    /// Bubbles that collapse one after the other next to the same wall; `run.end_time` is then the time of the first one.
+    #[serde(default)]
+    pub impacts: Option<Impacts>,
     /// A spherical bubble in unbounded liquid; there are no bodies then.
     pub single_bubble: Option<SingleBubble>,
     /// A cloud of bubbles in a given flow; there are no bodies then.

@@ -7,8 +7,8 @@ use super::{
     say::say,
 };
 use erode::case::{
-    Body, BodyKind, Case, Loaded, Simulation, Solid, check_advice,
-    estimate::{Estimate, PARTICLE_STEPS_PER_SECOND, bytes, estimate},
+    Body, BodyKind, Case, Impact, Impacts, Loaded, Simulation, Solid, check_advice,
+    estimate::{self, Estimate, PARTICLE_STEPS_PER_SECOND, bytes, estimate},
     json_schema,
 };
 use erode::case::{bubbles::SingleBubble, cloud::BubbleCloud};
@@ -177,6 +177,10 @@ fn facts(s: &Simulation) -> Vec<Vec<String>> {
         }
         rows.push(row("bubble", text));
     }
+    if let Some(i) = &s.impacts {
+        rows.push(row("impacts", sequence(i)));
+        rows.push(row("settling", settling(i)));
+    }
     let o = &s.output;
     let every = |name: &str, t: f64| format!("{name} every {}", si(t, "s"));
     let text = [
@@ -190,6 +194,47 @@ fn facts(s: &Simulation) -> Vec<Vec<String>> {
         rows.push(row("probes", names.join(", ")));
     }
     rows
+}
+
+/// The bubbles of a sequence in one line.
+fn sequence(i: &Impacts) -> String {
+    let range = |of: fn(&Impact) -> f64, unit: &str| {
+        let values = || i.bubbles.iter().map(of);
+        let (low, high) = (
+            values().fold(f64::INFINITY, f64::min),
+            values().fold(0.0, f64::max),
+        );
+        let shown = |x| {
+            if unit == "-" {
+                significant(x)
+            } else {
+                si(x, unit)
+            }
+        };
+        if low == high {
+            shown(low)
+        } else {
+            format!("{} to {}", shown(low), shown(high))
+        }
+    };
+    format!(
+        "{}, radius {}, stand-off {}, driven by {}, {} each",
+        i.bubbles.len(),
+        range(|b| b.radius, "m"),
+        range(|b| b.standoff, "-"),
+        range(|b| b.driving_pressure, "Pa"),
+        range(|b| b.duration, "s")
+    )
+}
+
+fn settling(i: &Impacts) -> String {
+    let s = &i.settling;
+    format!(
+        "damping {} until {:e} of the kinetic energy are left, {} at most",
+        si(s.damping, "1/s"),
+        s.residual,
+        si(s.longest, "s")
+    )
 }
 
 fn bodies(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
@@ -232,7 +277,7 @@ fn cost(s: &Simulation, e: &Estimate) -> Vec<Vec<String>> {
     let row = |name: &str, text: String| vec![name.to_owned(), text];
     let total: f64 = e.particles.iter().sum();
     let mut rows = vec![
-        row("end time", si(s.run.end_time, "s")),
+        row("end time", si(estimate::duration(s), "s")),
         row(
             "time step",
             format!("about {}, limited by `{}`", si(e.step, "s"), e.limited_by),

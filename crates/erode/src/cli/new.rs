@@ -19,7 +19,7 @@ pub(crate) struct Template {
     pub(crate) text: &'static str,
 }
 
-pub(crate) const TEMPLATES: [Template; 9] = [
+pub(crate) const TEMPLATES: [Template; 10] = [
     Template {
         name: "bubble-near-wall",
         about: "a bubble near a steel wall, hit by a pressure step: jet, ring, pit",
@@ -49,6 +49,11 @@ pub(crate) const TEMPLATES: [Template; 9] = [
         name: "coating",
         about: "coated steel hit by the same: layers of other materials",
         text: include_str!("../../../../cases/coated-steel/case.toml"),
+    },
+    Template {
+        name: "repeated-impacts",
+        about: "bubbles one after the other on the same wall: damage adds up until mass is lost",
+        text: include_str!("../../../../cases/repeated-impacts/case.toml"),
     },
     Template {
         name: "single-bubble",

@@ -105,8 +105,9 @@ impl Observer for Screen {
         let ledger = (p.energy_drift)
             .map(|drift| format!(", ledger {:+.2} %", 100.0 * drift))
             .unwrap_or_default();
+        let stage = p.stage.map(|s| format!("{s}, ")).unwrap_or_default();
         let text = format!(
-            "t = {:.4} of {:.4} us, {:.0} s left, {:.0} steps/s, dt {:.3e} s ({}){ledger}",
+            "{stage}t = {:.4} of {:.4} us, {:.0} s left, {:.0} steps/s, dt {:.3e} s ({}){ledger}",
             p.time * 1e6,
             p.end_time * 1e6,
             left,

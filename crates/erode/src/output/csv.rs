@@ -147,6 +147,11 @@ impl TableWriter {
         Ok(())
     }
 
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
     /// Number of rows so far; a checkpoint records it.
     pub fn rows(&self) -> u64 {
         self.rows
@@ -280,6 +285,24 @@ impl Table {
     /// The unit of the column `name`.
     pub fn unit(&self, name: &str) -> Option<&str> {
         Some(&self.columns.iter().find(|column| column.name == name)?.unit)
+    }
+
+    /// The rows with a `time` within these two; all rows of a table without times.
+    #[must_use]
+    pub fn between(&self, begin: f64, end: f64) -> Self {
+        let Some(time) = self.column("time") else {
+            return self.clone();
+        };
+        let inside = |k: usize| (begin..=end).contains(&time[k]);
+        let keep = |column: &Vec<f64>| {
+            let rows = column.iter().enumerate();
+            rows.filter(|(k, _)| inside(*k)).map(|(_, v)| *v).collect()
+        };
+        Self {
+            columns: self.columns.clone(),
+            values: self.values.iter().map(keep).collect(),
+            unfinished: self.unfinished,
+        }
     }
 
     /// Number of rows.

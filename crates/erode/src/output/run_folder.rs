@@ -70,6 +70,11 @@ impl RunPaths {
         self.root.join("events.csv")
     }
 
+    /// Repeated impacts, one row each.
+    pub fn impacts(&self) -> PathBuf {
+        self.root.join("impacts.csv")
+    }
+
     /// The collapses of a cloud of bubbles, one row each.
     pub fn collapses(&self) -> PathBuf {
         self.root.join("collapses.csv")

@@ -4,13 +4,15 @@ use super::html::Page;
 use super::instants::Instants;
 use super::run_data::RunData;
 use super::sections::{
-    asked, bubble, bubble_cloud, energy, fields, layers, load, probes, results, single_bubble,
-    stepping, strain, wall,
+    asked, bubble, bubble_cloud, energy, fields, impacts, layers, load, probes, results,
+    single_bubble, stepping, strain, wall,
 };
 
 /// The whole page as HTML.
 pub(crate) fn compose(data: &RunData) -> String {
-    let instants = Instants::find(data);
+    let last_impact = impacts::last_impact(data);
+    let one = last_impact.as_ref().unwrap_or(data);
+    let instants = Instants::find(one);
     let mut page = Page::default();
     let title = asked::title(data);
     asked::write_head(&mut page, data, &title);
@@ -29,11 +31,12 @@ pub(crate) fn compose(data: &RunData) -> String {
         .frames
         .last()
         .map_or_else(Vec::new, |frame| frame.read().0);
-    fields::write(&mut page, data, &instants, &end);
+    impacts::write(&mut page, data);
+    fields::write(&mut page, one, &instants, &end);
     if !load::write(&mut page, data, &end) {
-        bubble::write(&mut page, data, &instants);
+        bubble::write(&mut page, one, &instants);
     }
-    wall::write(&mut page, data, &instants);
+    wall::write(&mut page, one, &instants);
     strain::write(&mut page, data, &instants, &end);
     layers::write(&mut page, data);
     energy::write(&mut page, data);

@@ -25,6 +25,8 @@ pub(crate) struct RunData {
     pub(crate) history: Option<Table>,
     /// Pressure at the wall: time, then one column per radius.
     pub(crate) wall: Option<Table>,
+    /// One row per impact of a sequence.
+    pub(crate) impacts: Option<Table>,
     /// Name and table of each probe, by name.
     pub(crate) probes: Vec<(String, Table)>,
     /// Instants of the snapshots in order of time.
@@ -67,6 +69,7 @@ impl RunData {
         data.resolved = data.text("resolved.toml");
         data.history = data.table(&paths.history());
         data.wall = data.table(&paths.surface("wall_pressure"));
+        data.impacts = data.table(&paths.impacts());
         data.probes = data.probes();
         data.frames = match read_frames(&paths) {
             Ok(frames) => frames,

@@ -23,25 +23,45 @@ const USUAL_SAFETY: f64 = 0.3;
 /// # Errors
 /// If a body cannot be filled with its spacing, or needs what this version does not have.
 pub fn world(simulation: &Simulation) -> Result<World, RunError> {
-    let bodies = simulation
-        .bodies
-        .iter()
-        .map(|body| {
-            let packing = filled(simulation.geometry, body)?;
-            let built = match &body.kind {
-                BodyKind::Fluid(f) => Body::Fluid(fluid(simulation.geometry, body, f, &packing)?),
-                BodyKind::Solid(s) => Body::Solid(solid(simulation, body, s, packing)?),
-            };
-            Ok(Named {
-                name: body.name.clone(),
-                body: built,
-            })
-        })
-        .collect::<Result<Vec<_>, RunError>>()?;
+    world_with(simulation, |_, _| {})
+}
+
+/// The same; `place` may move the particles of a body before it is made of them.
+///
+/// # Errors
+/// As [`world`].
+pub(super) fn world_with(
+    simulation: &Simulation,
+    place: impl Fn(&case::Body, &mut Packing),
+) -> Result<World, RunError> {
+    let all = simulation.bodies.iter();
+    let bodies = all.map(|body| built(simulation, body, |p| place(body, p)));
+    let bodies = bodies.collect::<Result<Vec<_>, RunError>>()?;
     let mut world = World::new(bodies, simulation.run.safety)?;
     gas::fill(&mut world, simulation)?;
     loads::prepare(&mut world, simulation)?;
     Ok(world)
+}
+
+/// One body, without gas; `place` may move its particles before.
+///
+/// # Errors
+/// As [`world`].
+pub(super) fn built(
+    simulation: &Simulation,
+    body: &case::Body,
+    place: impl FnOnce(&mut Packing),
+) -> Result<Named, RunError> {
+    let mut packing = filled(simulation.geometry, body)?;
+    place(&mut packing);
+    let built = match &body.kind {
+        BodyKind::Fluid(f) => Body::Fluid(fluid(simulation.geometry, body, f, &packing)?),
+        BodyKind::Solid(s) => Body::Solid(solid(simulation, body, s, packing)?),
+    };
+    Ok(Named {
+        name: body.name.clone(),
+        body: built,
+    })
 }
 
 /// Particles in cell order.

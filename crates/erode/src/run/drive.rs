@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::observer::Observer;
 use super::steps::Run;
-use super::{RunError, bubble_cloud, build, single_bubble};
+use super::{RunError, bubble_cloud, build, impacts, single_bubble};
 use crate::case::Case;
 use crate::output::{CheckpointStore, OutputError, RunFolder, hash_hex};
 use std::path::{Path, PathBuf};
@@ -62,8 +62,9 @@ pub fn start(
     }
     with_threads(options.threads, || {
         observer.say("filling the bodies with particles");
-        let world = build::world(&loaded.simulation)?;
-        Run::new(folder, loaded.simulation, world, hash)?.go(stop, observer)
+        let (simulation, sequence) = impacts::begin(loaded.simulation);
+        let world = build::world(&simulation)?;
+        Run::new(folder, simulation, world, sequence, hash)?.go(stop, observer)
     })
 }
 
@@ -124,8 +125,9 @@ pub fn resume(
         });
     }
     with_threads(threads, || {
-        let world = build::world(&loaded.simulation)?;
-        Run::from_checkpoint(folder, loaded.simulation, world, hash, &found.checkpoint)?
+        let state = &found.checkpoint.meta.extra["impacts"];
+        let (simulation, world, sequence) = impacts::take_up(loaded.simulation, state)?;
+        Run::from_checkpoint(folder, simulation, world, sequence, hash, &found.checkpoint)?
             .go(stop, observer)
     })
 }

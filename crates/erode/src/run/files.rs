@@ -21,6 +21,8 @@ pub(crate) struct Files {
     fields: Collection,
     snapshots: u64,
     background: Background,
+    /// Names of the bodies in the order of the case.
+    bodies: Vec<String>,
 }
 
 /// The table of the wall pressure and the surface points in it.
@@ -52,9 +54,8 @@ impl Files {
             .probes
             .iter()
             .map(|p| {
-                let columns = body(world, &p.body)
-                    .map(probes::columns)
-                    .unwrap_or_default();
+                let body = simulation.body(&p.body);
+                let columns = body.map(|b| probes::columns(&b.kind)).unwrap_or_default();
                 open(&paths.probe(&p.name), &columns, rows(&probe_mark(&p.name)))
             })
             .collect::<Result<Vec<_>, RunError>>()?;
@@ -72,6 +73,7 @@ impl Files {
             fields,
             snapshots,
             background: Background::default(),
+            bodies: simulation.bodies.iter().map(|b| b.name.clone()).collect(),
         })
     }
 
@@ -95,9 +97,12 @@ impl Files {
             wall.write_row(world)?;
         }
         for (probe, table) in simulation.probes.iter().zip(&mut self.probes) {
-            if let Some(b) = body(world, &probe.body) {
-                table.write_row(&probes::row(b, world.time, probe.position))?;
-            }
+            let row = match body(world, &probe.body) {
+                Some(b) => probes::row(b, world.time, probe.position),
+                // A liquid that was taken away.
+                None => probes::nothing(world.time, table.columns()),
+            };
+            table.write_row(&row)?;
         }
         Ok(())
     }
@@ -108,7 +113,9 @@ impl Files {
     /// If a file of the snapshot before could not be written.
     pub(crate) fn write_fields(&mut self, world: &World) -> Result<(), RunError> {
         let mut parts = Vec::new();
-        for (part, named) in world.bodies.iter().enumerate() {
+        for named in &world.bodies {
+            let part = self.bodies.iter().position(|name| *name == named.name);
+            let part = part.unwrap_or_default();
             let path = self.folder.paths().snapshot(&named.name, self.snapshots);
             let file = format!(
                 "fields/{}",

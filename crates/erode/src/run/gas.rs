@@ -1,7 +1,7 @@
 //! Gas in the bubble of a case.
 
 use super::RunError;
-use super::monitor::wetted;
+use super::bubble_state::wetted;
 use crate::case::{Body as Asked, BodyKind, Bubble, BubbleGas, Side, Simulation};
 use erode_sph::fluid::gas::{Gas, GasLaw};
 use erode_sph::fluid::ghosts::{Ghosts, Wall};

@@ -1,6 +1,7 @@
 //! Scalars of an impact that need its whole course: the ring of void, the shock front on the wall, the times of load and
 //! metal. They are taken from the tables that the run wrote.
 
+use super::impacts::{Sequence, last};
 use super::monitor::{COLLAPSED, Record, solid};
 use crate::analysis::{
     self, WallPressure, YIELDED, energy_density, followed_above, front, last_toroid, zone_depth,
@@ -9,7 +10,7 @@ use crate::case::{BodyKind, Simulation, Solid};
 use crate::output::{OutputError, RunPaths, Summary, Table};
 use erode_sph::world::World;
 
-/// Adds the scalars of a bubble next to a wall; those of a wall without a recorded pressure are not a number.
+/// Adds the scalars of a bubble next to a wall, of a sequence those of the last one; those of a wall without a recorded pressure are not a number.
 ///
 /// # Errors
 /// If a table that the run wrote cannot be read.
@@ -18,14 +19,14 @@ pub(super) fn add(
     world: &World,
     simulation: &Simulation,
     record: &Record,
-    paths: &RunPaths,
+    (paths, sequence): (&RunPaths, Option<&Sequence>),
 ) -> Result<(), OutputError> {
     let Some(bubble) = simulation.bubble.filter(|b| b.wall_distance.is_some()) else {
         return Ok(());
     };
     let none = f64::NAN;
     s.set("jet_half_width", "m", record.jet_half_width.unwrap_or(none));
-    let history = Table::read(&paths.history())?;
+    let history = last(Table::read(&paths.history())?, sequence);
     let toroid = toroid(&history, COLLAPSED * record.initial_volume);
     s.set("toroid_r", "m", toroid.map_or(none, |t| t.r));
     s.set("toroid_z", "m", toroid.map_or(none, |t| t.z));
@@ -42,7 +43,8 @@ pub(super) fn add(
     let recorded = paths.surface("wall_pressure");
     // Metal without an upper face has no such table.
     let wall = recorded.exists().then(|| Table::read(&recorded));
-    let wall = wall.transpose()?.as_ref().and_then(WallPressure::of);
+    let wall = wall.transpose()?.map(|w| last(w, sequence));
+    let wall = wall.as_ref().and_then(WallPressure::of);
     let yield_stress = yield_stress(metal);
     let least = followed_above(yield_stress, bubble.driving_pressure);
     let found = wall.as_ref().map(|w| front(w, least));
@@ -177,7 +179,7 @@ mod tests {
                 &world,
                 &simulation,
                 &Record::default(),
-                &paths,
+                (&paths, None),
             )
         };
         let error = add().unwrap_err();

@@ -27,8 +27,11 @@ pub struct Ledger {
     /// Kinetic and elastic energy of material that failed and was removed.
     pub solid_lost: f64,
     /// Work of the far fields on liquids, of absorbing and driven faces and of loads on solids. (The pressure of a liquid on
-    /// a solid is no boundary.)
+    /// a solid is no boundary.) Less what left with liquids that
+    /// were taken out.
     pub boundary_work: f64,
+    /// What left with liquids that were taken out, less what new ones brought: part of the above.
+    pub taken_out: f64,
 }
 
 impl Ledger {
@@ -36,7 +39,13 @@ impl Ledger {
     #[must_use]
     pub fn of(world: &World) -> Self {
         let mut l = Self::default();
-        let wet = (world.bodies.iter()).any(|b| matches!(b.body, Body::Fluid(_)));
+        let gone = &world.departed;
+        l.gas += gone.gas_lost;
+        l.liquid_dissipation += gone.account.dissipation;
+        l.boundary_work += gone.account.far_field_work - gone.energy;
+        l.taken_out = gone.energy;
+        let wet =
+            gone.liquids > 0 || (world.bodies.iter()).any(|b| matches!(b.body, Body::Fluid(_)));
         for named in &world.bodies {
             match &named.body {
                 Body::Fluid(f) => {

@@ -27,6 +27,9 @@ pub(crate) struct Record {
     pub initial_balance: f64,
     /// Mass at the start, kg.
     pub initial_mass: f64,
+    /// Largest change of the mass of a liquid that was taken away / its mass at the start.
+    #[serde(default)]
+    pub mass_drift: Option<f64>,
     /// Void volume at the start, m3.
     pub initial_volume: f64,
     /// Largest pressure on the wall, Pa, with its radius (m) and time (s).
@@ -225,6 +228,18 @@ pub(crate) fn row(
 }
 
 impl Record {
+    /// Mass of the liquid now / at the start, less 1; none without one.
+    pub(crate) fn mass_drift_of(&self, world: &World) -> Option<f64> {
+        let mass: f64 = liquid(world)?.mass.iter().sum();
+        (self.initial_mass > 0.0).then(|| mass / self.initial_mass - 1.0)
+    }
+
+    /// The largest of this liquid and those that were taken away.
+    pub(crate) fn largest_mass_drift(&self, world: &World) -> Option<f64> {
+        let drifts = self.mass_drift.into_iter().chain(self.mass_drift_of(world));
+        drifts.max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
     /// After every step: what must not be missed between rows.
     pub(crate) fn see_step(&mut self, world: &World, limiter: &str) {
         *self.limiters.entry(limiter.to_owned()).or_default() += 1;
@@ -272,7 +287,7 @@ impl Record {
         let residual = ledger.balance() - self.initial_balance;
         self.energy_scale = self
             .energy_scale
-            .max(self.initial_balance + ledger.boundary_work.abs());
+            .max(self.initial_balance + (ledger.boundary_work + ledger.taken_out).abs());
         if residual.abs() > self.energy_drift.abs() {
             self.energy_drift = residual;
         }

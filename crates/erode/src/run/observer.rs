@@ -17,6 +17,26 @@ pub struct Progress<'a> {
     pub limiter: &'a str,
     /// Energy that the ledger cannot account for, relative to what was put in.
     pub energy_drift: Option<f64>,
+    /// Where a sequence of impacts stands.
+    pub stage: Option<Stage>,
+}
+
+/// Where a sequence of impacts stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Stage {
+    /// Impact in progress, from 1.
+    pub impact: usize,
+    /// Number of impacts.
+    pub impacts: usize,
+    /// Whether the wall settles after it.
+    pub settling: bool,
+}
+
+impl std::fmt::Display for Stage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let settling = if self.settling { ", settling" } else { "" };
+        write!(f, "impact {} of {}{settling}", self.impact, self.impacts)
+    }
 }
 
 /// Who watches a run.

@@ -1,5 +1,6 @@
 //! Fields at points fixed in space, and snapshots of whole bodies.
 
+use crate::case::BodyKind;
 use crate::output::{Column, Data, Field, Snapshot};
 use erode_sph::fluid::Fluid;
 use erode_sph::geometry::Vec2;
@@ -30,10 +31,10 @@ const SOLID: [(&str, &str); 9] = [
 
 /// Columns of a probe in a body.
 #[must_use]
-pub(crate) fn columns(body: &Body) -> Vec<Column> {
+pub(crate) fn columns(body: &BodyKind) -> Vec<Column> {
     let fields: &[(&str, &str)] = match body {
-        Body::Fluid(_) => &FLUID,
-        Body::Solid(_) => &SOLID,
+        BodyKind::Fluid(_) => &FLUID,
+        BodyKind::Solid(_) => &SOLID,
     };
     std::iter::once(&("time", "s"))
         .chain(fields)
@@ -61,6 +62,14 @@ pub(crate) fn row(body: &Body, time: f64, x: Vec2) -> Vec<f64> {
         .to_vec(),
     };
     std::iter::once(time).chain(values).collect()
+}
+
+/// A row of a probe in a body that is not there.
+#[must_use]
+pub(crate) fn nothing(time: f64, columns: usize) -> Vec<f64> {
+    let mut row = vec![f64::NAN; columns];
+    row[0] = time;
+    row
 }
 
 /// Area of a particle, m2; zero where it was removed by failure.

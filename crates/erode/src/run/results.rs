@@ -11,6 +11,7 @@ use crate::analysis::{YIELDED, bubble_energy, plastic_potential};
 use crate::case::{BodyKind, Bubble, Simulation};
 use crate::output::Summary;
 use erode_physics::strength::Strength;
+use erode_sph::fluid::corrected::Account;
 use erode_sph::world::{Body, World};
 use serde_json::{Value, json};
 
@@ -35,19 +36,20 @@ pub(crate) fn summary(
         record.energy_drift / record.energy_scale.max(f64::MIN_POSITIVE),
     );
     s.set("energy_residual", "J", record.energy_drift);
-    let mass: f64 = liquid(world).map_or(0.0, |f| f.mass.iter().sum());
-    if record.initial_mass > 0.0 {
-        s.set("mass_drift", "-", mass / record.initial_mass - 1.0);
+    if let Some(drift) = record.largest_mass_drift(world) {
+        s.set("mass_drift", "-", drift);
     }
-    let particles: usize = world
-        .bodies
-        .iter()
-        .map(|b| match &b.body {
-            Body::Fluid(f) => f.len(),
-            Body::Solid(s) => s.len(),
-        })
-        .sum();
-    s.set_count("particles", particles as u64);
+    let present = world.bodies.iter().map(|b| match &b.body {
+        Body::Fluid(f) => f.len() as u64,
+        Body::Solid(s) => s.len() as u64,
+    });
+    // A liquid that was taken away belongs to the run as well.
+    let gone = if liquid(world).is_none() {
+        world.departed.particles
+    } else {
+        0
+    };
+    s.set_count("particles", present.sum::<u64>() + gone);
     s.set_count("steps", world.step);
     s.set("end_time", "s", world.time);
     s.set("wall_time", "s", wall_time);
@@ -105,12 +107,19 @@ fn bubble(s: &mut Summary, world: &World, simulation: &Simulation, record: &Reco
         s.set("jet_time", "s", record.jet_time.unwrap_or(none));
     }
     s.set("max_pressure", "Pa", record.max_pressure);
-    if let Some(gas) = liquid(world).and_then(|f| f.gas.as_ref()) {
+    if b.gas.is_some() {
+        let (gone, gas) = (&world.departed, liquid(world).and_then(|f| f.gas.as_ref()));
         s.set("max_gas_pressure", "Pa", record.max_gas_pressure);
-        s.set_count("gas_parts", gas.pockets.len() as u64);
-        s.set_ledger("gas_pockets_closed", "-", gas.closed as f64);
-        s.set_ledger("gas_energy_lost", "J", gas.lost);
-        s.set_ledger("gas_steps_cut", "-", gas.cut as f64);
+        s.set_count("gas_parts", gas.map_or(0, |g| g.pockets.len() as u64));
+        let closed = gone.gas_closed + gas.map_or(0, |g| g.closed);
+        s.set_ledger("gas_pockets_closed", "-", closed as f64);
+        s.set_ledger(
+            "gas_energy_lost",
+            "J",
+            gone.gas_lost + gas.map_or(0.0, |g| g.lost),
+        );
+        let cut = gone.gas_cut + gas.map_or(0, |g| g.cut);
+        s.set_ledger("gas_steps_cut", "-", cut as f64);
     }
     let energy = bubble_energy(b.radius, b.driving_pressure, simulation.geometry);
     if simulation.geometry == erode_sph::Geometry::Axisymmetric {
@@ -185,24 +194,30 @@ fn metal(s: &mut Summary, world: &World, simulation: &Simulation, record: &Recor
 
 /// What was counted instead of being lost in silence.
 fn counts(s: &mut Summary, world: &World) {
-    for named in &world.bodies {
-        if let Body::Fluid(f) = &named.body {
-            let a = &f.account;
-            let entries = [
-                ("axis_crossings", a.axis_crossings),
-                ("wall_crossings", a.wall_crossings),
-                ("tension_removed", a.cavitating),
-                ("fragments_kept_whole", a.parted),
-                ("limited_exchanges", a.limited_exchanges),
-                ("particles_halved", a.refinement.splits),
-                ("particles_merged", a.refinement.merges),
-            ];
-            for (name, count) in entries {
-                s.set_ledger(name, "-", count as f64);
-            }
-            s.set_ledger("refinement_energy_loss", "J", a.refinement.energy);
-        }
+    let gone = (world.departed.liquids > 0).then_some(&world.departed.account);
+    let present = world.bodies.iter().filter_map(|b| match &b.body {
+        Body::Fluid(f) => Some(&f.account),
+        Body::Solid(_) => None,
+    });
+    let all: Vec<&Account> = present.chain(gone).collect();
+    if all.is_empty() {
+        return;
     }
+    let sum = |of: fn(&Account) -> u64| all.iter().map(|a| of(a)).sum::<u64>();
+    let entries = [
+        ("axis_crossings", sum(|a| a.axis_crossings)),
+        ("wall_crossings", sum(|a| a.wall_crossings)),
+        ("tension_removed", sum(|a| a.cavitating)),
+        ("fragments_kept_whole", sum(|a| a.parted)),
+        ("limited_exchanges", sum(|a| a.limited_exchanges)),
+        ("particles_halved", sum(|a| a.refinement.splits)),
+        ("particles_merged", sum(|a| a.refinement.merges)),
+    ];
+    for (name, count) in entries {
+        s.set_ledger(name, "-", count as f64);
+    }
+    let energy = all.iter().map(|a| a.refinement.energy).sum::<f64>() + 0.0;
+    s.set_ledger("refinement_energy_loss", "J", energy);
 }
 
 /// Whether bubble and wall are what the thesis computed: nothing in the bubble, bare A-2205 with its growth with the rate.

@@ -3,6 +3,7 @@
 use super::{RunError, refinement};
 use crate::output::Checkpoint;
 use erode_physics::tensor::Sym3;
+use erode_sph::departed::Departed;
 use erode_sph::fluid::Clustering;
 use erode_sph::world::{Body, World};
 use serde_json::{Value, json};
@@ -80,7 +81,8 @@ pub(crate) fn accounts(world: &World) -> Value {
         // A renewed reference configuration goes with it.
         Body::Solid(s) => json!({ "work": s.state.work, "base": s.state.base }),
     });
-    all.collect()
+    let departed = (world.departed.liquids > 0).then(|| json!({ "departed": world.departed }));
+    all.chain(departed).collect()
 }
 
 /// Puts the state of a checkpoint into a world freshly built from the same case.
@@ -94,6 +96,13 @@ pub(crate) fn restore(
 ) -> Result<(), RunError> {
     world.time = checkpoint.meta.time;
     world.step = checkpoint.meta.step;
+    let departed = accounts.as_array().and_then(|a| a.last()?.get("departed"));
+    world.departed = match departed {
+        Some(value) => serde_json::from_value(value.clone()).map_err(|e| {
+            RunError::Checkpoint(format!("what left with liquids is not readable ({e})"))
+        })?,
+        None => Departed::default(),
+    };
     for (i, named) in world.bodies.iter_mut().enumerate() {
         let name = named.name.clone();
         let vectors = |field: &str, n: usize| -> Result<Vec<[f64; 2]>, RunError> {

@@ -17,6 +17,8 @@ pub(super) fn of(p: &Progress<'_>, state: State, message: Option<&str>) -> Statu
         eta: rate.map(|r| (p.end_time - p.time).max(0.0) / p.dt / r),
         energy_drift: p.energy_drift,
         pid: std::process::id(),
-        message: message.map(str::to_owned),
+        message: message
+            .map(str::to_owned)
+            .or_else(|| p.stage.map(|s| s.to_string())),
     }
 }

@@ -2,7 +2,8 @@
 
 use super::course::Course;
 use super::files::Files;
-use super::monitor::{self, Record};
+use super::impacts::{self, Sequence};
+use super::monitor::Record;
 use super::observer::{Observer, Progress};
 use super::{RunError, findings, impact, layers, loads, refinement, results, state, watch};
 use crate::case::Simulation;
@@ -27,6 +28,8 @@ pub(crate) struct Run {
     pub(super) files: Files,
     pub(super) simulation: Simulation,
     pub(super) world: World,
+    /// Repeated impacts.
+    pub(super) sequence: Option<Sequence>,
     pub(super) hash: String,
     pub(super) record: Record,
     pub(super) cell: f64,
@@ -48,17 +51,15 @@ impl Run {
         folder: RunFolder,
         simulation: Simulation,
         world: World,
+        sequence: Option<Sequence>,
         hash: String,
     ) -> Result<Self, RunError> {
         let files = Files::open(folder, &simulation, &world, None)?;
         let last = world.stable_time_step();
         let mut run = Self::with(files, simulation, world, hash, last);
+        run.sequence = sequence;
         run.record.initial_balance = super::Ledger::of(&run.world).balance();
-        run.record.initial_mass = monitor::liquid(&run.world).map_or(0.0, |f| f.mass.iter().sum());
-        if let Some(b) = &run.simulation.bubble {
-            run.record.initial_volume = monitor::bubble(&run.world, b, run.cell).volume;
-            run.record.smallest_volume = run.record.initial_volume;
-        }
+        run.see_beginning();
         run.write_row(0.0)?;
         run.files.write_fields(&run.world)?;
         run.write_checkpoint()?;
@@ -73,6 +74,7 @@ impl Run {
         folder: RunFolder,
         simulation: Simulation,
         mut world: World,
+        sequence: Option<Sequence>,
         hash: String,
         checkpoint: &Checkpoint,
     ) -> Result<Self, RunError> {
@@ -82,9 +84,13 @@ impl Run {
         };
         state::restore(&mut world, checkpoint, &extra["accounts"])?;
         loads::prepare(&mut world, &simulation)?;
+        if let Some(sequence) = &sequence {
+            sequence.prepare(&mut world);
+        }
         let files = Files::open(folder, &simulation, &world, Some(extra))?;
         let last = world.stable_time_step();
         let mut run = Self::with(files, simulation, world, hash, last);
+        run.sequence = sequence;
         run.first_dt = serde_json::from_value(extra["first_dt"].clone())
             .map_err(|e| wrong("first time step", e))?;
         run.record =
@@ -107,6 +113,7 @@ impl Run {
         Self {
             files,
             simulation,
+            sequence: None,
             hash,
             record: Record::default(),
             cell: 0.5 * finest,
@@ -121,8 +128,16 @@ impl Run {
 
     pub(super) fn finished(&self) -> bool {
         let run = &self.simulation.run;
-        self.world.time >= run.end_time * (1.0 - ROUNDING)
+        self.sequence
+            .as_ref()
+            .map_or_else(|| self.stage_over(), Sequence::is_over)
             || run.max_steps.is_some_and(|n| self.world.step >= n)
+    }
+
+    /// Whether an impact, or settling after one, is over; that is the whole run where there is but one.
+    pub(super) fn stage_over(&self) -> bool {
+        self.world.time >= self.simulation.run.end_time * (1.0 - ROUNDING)
+            || (self.sequence.as_ref()).is_some_and(|s| s.has_settled(&self.world))
     }
 
     fn drift(&self) -> f64 {
@@ -141,6 +156,9 @@ impl Run {
             finding = match self.world.advance(dt) {
                 Ok(()) => {
                     loads::settle(&mut self.world, loads, dt);
+                    if let Some(sequence) = &mut self.sequence {
+                        sequence.follow(&mut self.world, dt);
+                    }
                     match refinement::follow(&mut self.world, &self.simulation, self.cell) {
                         Ok(()) => watch::implausible(&self.world),
                         Err(error) => Some(watch::failed_step(error, &limiter)?),
@@ -228,6 +246,9 @@ impl Course for Run {
             })?;
             let begun = Instant::now();
             self.write_due(before)?;
+            if self.sequence.is_some() && !self.finished() && self.stage_over() {
+                self.next_stage()?;
+            }
             self.written += begun.elapsed().as_secs_f64();
             if shown.elapsed().as_secs_f64() > STATUS_EVERY {
                 shown = Instant::now();
@@ -246,6 +267,11 @@ impl Course for Run {
         extra.insert("first_dt".into(), self.first_dt.into());
         extra.insert("record".into(), record);
         extra.insert("accounts".into(), state::accounts(&self.world));
+        if let Some(sequence) = &self.sequence {
+            let state = serde_json::to_value(&sequence.state);
+            let state = state.map_err(|e| RunError::Checkpoint(e.to_string()))?;
+            extra.insert("impacts".into(), state);
+        }
         let mut checkpoint = Checkpoint::new(CheckpointMeta {
             code_version: env!("CARGO_PKG_VERSION").to_owned(),
             case_hash: self.hash.clone(),
@@ -265,13 +291,19 @@ impl Course for Run {
     fn progress(&self) -> Progress<'_> {
         Progress {
             time: self.world.time,
-            end_time: self.simulation.run.end_time,
+            end_time: self
+                .sequence
+                .as_ref()
+                .map_or(self.simulation.run.end_time, |s| {
+                    s.end_time(self.world.time)
+                }),
             step: self.world.step,
             steps_per_second: (self.world.step - self.first_step) as f64
                 / self.begun.elapsed().as_secs_f64(),
             dt: self.last.0,
             limiter: self.last.1.reason,
             energy_drift: Some(self.drift()),
+            stage: self.sequence.as_ref().map(Sequence::seen),
         }
     }
 
@@ -281,7 +313,17 @@ impl Course for Run {
         let threads = rayon::current_num_threads();
         let (world, simulation) = (&self.world, &self.simulation);
         let mut summary = results::summary(world, simulation, &record, wall_time, threads);
-        impact::add(&mut summary, world, simulation, &record, self.files.paths())?;
+        let sequence = self.sequence.as_ref();
+        impact::add(
+            &mut summary,
+            world,
+            simulation,
+            &record,
+            (self.files.paths(), sequence),
+        )?;
+        if let Some(sequence) = sequence {
+            impacts::add(&mut summary, sequence);
+        }
         let mut words = format!(
             "{} steps in {wall_time:.1} s, energy ledger {:+.2} %",
             world.step,

@@ -1,6 +1,7 @@
 //! What a run writes on its way, and when.
 
 use super::course::Course;
+use super::impacts::Sequence;
 use super::steps::Run;
 use super::{RunError, monitor, watch};
 
@@ -11,7 +12,12 @@ impl Run {
         let output = self.simulation.output.clone();
         let now = self.world.time;
         let due = |every: f64| every > 0.0 && (now / every).floor() > (before / every).floor();
-        if due(output.history_every) || self.finished() {
+        let over = self.finished() || self.stage_over();
+        let settling = self.sequence.as_ref().is_some_and(Sequence::is_settling);
+        // The first row of the next impact has the same time.
+        let followed = (self.sequence.as_ref()).is_some_and(|s| !s.is_last()) && settling && over;
+        let followed = followed && !self.finished();
+        if (due(output.history_every) || over) && !followed {
             self.write_row(self.last.0)?;
             self.refuse(watch::open_ledger(
                 &self.world,
@@ -19,10 +25,13 @@ impl Run {
                 self.simulation.bubble.as_ref(),
             ))?;
         }
-        if due(output.fields_every) || self.finished() {
+        // While a wall settles nothing is to be seen but waves; its rest is the beginning of the next impact.
+        if (due(output.fields_every) || over) && (!settling || self.finished()) {
             self.files.write_fields(&self.world)?;
         }
-        if due(output.checkpoint_every) {
+        // Between two stages one is written in any case.
+        let next = self.sequence.is_some() && over;
+        if due(output.checkpoint_every) && !next {
             self.write_checkpoint()?;
         }
         Ok(())

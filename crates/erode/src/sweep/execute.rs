@@ -316,6 +316,7 @@ mod tests {
             dt: 0.1,
             limiter: "",
             energy_drift: None,
+            stage: None,
         }
     }
 

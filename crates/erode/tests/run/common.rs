@@ -192,6 +192,7 @@ pub(crate) fn assert_identical(a: &Path, b: &Path) {
                 "case.toml",
                 "resolved.toml",
                 "history.csv",
+                "impacts.csv",
                 "surface",
                 "probes",
                 "fields",

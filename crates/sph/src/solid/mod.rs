@@ -23,6 +23,7 @@ mod quasi_static;
 mod reference;
 mod renewal;
 mod resolution;
+mod rest;
 mod return_in_lanes;
 mod search;
 pub mod space;

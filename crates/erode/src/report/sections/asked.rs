@@ -89,7 +89,7 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
         return;
     };
     let mut rows = Vec::new();
-    for key in ["setup", "bubble", "run", "output", "checkpoint"] {
+    for key in ["setup", "bubble", "impacts", "run", "output", "checkpoint"] {
         if let Some(value) = table.get(key) {
             flatten(key, value, &mut rows);
         }
@@ -144,7 +144,7 @@ pub(crate) fn write_files(page: &mut Page, data: &RunData) {
         page.details("summary.json, all final numbers", &text);
     }
     page.paragraph(
-        "Numbers behind the figures: history.csv, surface/wall_pressure.csv and probes/*.csv; fields.pvd opens in \
+        "Numbers behind the figures: history.csv, surface/wall_pressure.csv, probes/*.csv (and impacts.csv of repeated impacts); fields.pvd opens in \
          ParaView.",
     );
 }

@@ -6,6 +6,7 @@ pub(super) mod bubble_cloud;
 pub(super) mod end;
 pub(super) mod energy;
 pub(super) mod fields;
+pub(super) mod impacts;
 pub(super) mod layers;
 pub(super) mod load;
 pub(super) mod probes;

@@ -7,7 +7,17 @@ use crate::report::run_data::RunData;
 use crate::report::units::{in_words, quantity, significant};
 
 /// Keys of the summary in the order of the table, with their words.
-const KEY_RESULTS: [(&str, &str); 37] = [
+const KEY_RESULTS: [(&str, &str); 44] = [
+    ("impacts", "Impacts"),
+    ("incubation_impacts", "Impact in which mass was lost first"),
+    (
+        "incubation_impacts_estimate",
+        "… estimated, Miner's rule from the last impacts",
+    ),
+    ("lost_mass_per_impact", "Mass lost per impact after that"),
+    ("max_damage", "Largest damage"),
+    ("settling_residual", "Motion left after settling, largest"),
+    ("settling_energy", "Energy that settling took out"),
     (
         "collapse_time",
         "Collapse time, from the arrival of the wave",

@@ -259,6 +259,7 @@ impl Course for Run {
             limiter: "history_every",
             // The flow gives and takes energy: a cloud has no ledger of energy that closes, only one of bubbles.
             energy_drift: None,
+            stage: None,
         }
     }
 

@@ -235,6 +235,7 @@ impl Course for Run {
             dt: self.state.next_step,
             limiter: "tolerance",
             energy_drift: Some(self.record.drift()),
+            stage: None,
         }
     }
 
