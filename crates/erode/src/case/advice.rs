@@ -85,7 +85,7 @@ fn bubble_advice(s: &Simulation, bubble: &Bubble, advice: &mut Vec<String>) {
         }
         let (l, u) = body.shape.bounding_box();
         let edge = (u[0] - bubble.centre[0]).min(u[1] - bubble.centre[1]) / bubble.radius;
-        if edge < 4.0 {
+        if edge < 3.9999 {
             advice.push(format!(
                 "`{}` ends {edge:.1} bubble radii from the bubble's centre: below 4 its edge acts on the collapse",
                 body.name
@@ -126,7 +126,7 @@ fn impacts_advice(s: &Simulation, advice: &mut Vec<String>) {
                 ));
             }
             let edge = upper[0] / b.radius;
-            if edge < 4.0 {
+            if edge < 3.9999 {
                 advice.push(format!(
                     "`{}` ends {edge:.1} radii beside bubble {number} of the sequence: below 4 its edge acts on the collapse",
                     body.name
