@@ -97,7 +97,7 @@ impl Solid {
                 continue;
             }
             let before = self.volume_ratio(a);
-            let f = stress::gradient(&self.reference, &self.scratch.position, a);
+            let f = stress::gradient(&self.reference, &self.positions(), a);
             let after = before * super::mat2::determinant(&f)
                 / super::mat2::determinant(&self.state.deformation[a]);
             if after > 0.0 {
@@ -140,14 +140,16 @@ impl Reference {
         near.extend(gone);
         near.sort_unstable();
         near.dedup();
-        self.silence_forgotten();
+        self.silence_near(&near);
         for &a in &near {
             self.silence(a);
         }
+        let changed = near.clone();
         near.retain(|&a| !self.forgotten[a]);
         let loose = (near.iter().copied())
             .filter(|&a| !self.correct_again(a))
             .collect();
+        self.settle(&changed);
         (near, loose)
     }
 }

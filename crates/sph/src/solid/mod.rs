@@ -8,16 +8,23 @@
 mod absorbing;
 mod balance;
 mod block;
+mod blocks;
+mod driven;
 mod energy;
 mod error;
 mod failure;
+mod flow;
+mod flux;
+mod follow;
 mod force;
 mod images;
+mod increment;
 mod indenter;
 mod layers;
+mod layout;
 mod mat2;
+mod own;
 mod pairs;
-mod patches;
 mod points;
 mod quasi_static;
 mod reference;
@@ -52,7 +59,7 @@ use crate::kernel;
 use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
 use layers::Materials;
-use reference::Layout;
+use layout::Layout;
 use serde::{Deserialize, Serialize};
 
 /// Numerical constants of the formulation; the defaults are the ones that were measured as best.
@@ -193,7 +200,8 @@ impl Solid {
             )?,
         };
         let axisymmetric = geometry == Geometry::Axisymmetric;
-        reference.imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
+        let imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
+        reference.balance(imbalance);
         let mut solid = Self {
             state: State::at_rest(reference.position.clone(), material.temperature),
             geometry,
@@ -296,28 +304,6 @@ impl Solid {
             }
         }
         Ok(())
-    }
-
-    /// Moves the surface points to the present positions and velocities; takes particles out of the neighbour sums that the
-    /// state counts as removed.
-    pub fn follow_surfaces(&mut self) {
-        self.forget_removed();
-        if let Formulation::Joshi(_) = self.numerics.formulation {
-            return self.arrange();
-        }
-        self.move_images();
-        self.follow_moved_surfaces();
-    }
-
-    /// The same with the images where they are.
-    fn follow_moved_surfaces(&mut self) {
-        let (reference, velocity) = (&self.reference, &self.scratch.velocity);
-        for surface in &mut self.surfaces {
-            surface.follow_position(reference, &self.state);
-            surface.follow_velocity(reference, &self.state, |a| {
-                stress::gradient(reference, velocity, a)
-            });
-        }
     }
 }
 
