@@ -294,11 +294,14 @@ impl World {
                 Body::Fluid(f) => (&f.position, &f.velocity),
                 Body::Solid(s) => (&s.state.position, &s.state.velocity),
             };
-            let finite = |(x, v): (&Vec2, &Vec2)| (x[0] + x[1] + v[0] + v[1]).is_finite();
-            let bad = (position.par_iter().zip(velocity))
-                .with_min_len(PARTICLES_PER_TASK)
-                .position_first(|pair| !finite(pair));
-            if let Some(particle) = bad {
+            let finite = |&(x, v): &(&Vec2, &Vec2)| (x[0] + x[1] + v[0] + v[1]).is_finite();
+            let all = |(x, v): (&[Vec2], &[Vec2])| x.iter().zip(v).all(|p| finite(&p));
+            let tasks = (position.par_chunks(PARTICLES_PER_TASK))
+                .zip(velocity.par_chunks(PARTICLES_PER_TASK));
+            if tasks.all(all) {
+                continue;
+            }
+            if let Some(particle) = position.iter().zip(velocity).position(|p| !finite(&p)) {
                 let x = position[particle];
                 let field = if (x[0] + x[1]).is_finite() {
                     "velocity"

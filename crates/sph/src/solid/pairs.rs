@@ -61,10 +61,8 @@ pub(super) struct Pairs {
     neighbour: Vec<u32>,
     /// g.
     pub(super) gradient: Vec<[f32; LANES]>,
-    /// v.
-    pub(super) viscous: Vec<[f32; LANES]>,
-    /// e.
-    pub(super) hourglass: Vec<[f32; LANES]>,
+    /// v and e.
+    pub(super) stabilisers: Vec<[[f32; LANES]; 2]>,
     /// Reference positions of particles, then of mirror images, m.
     pub(super) position: Vec<Vec2>,
     /// Viscosity on separation of pairs with each of them over that on approach.
@@ -107,8 +105,7 @@ impl Pairs {
             pairs.beyond.push((pairs.neighbour.len() + mirrored) as u32);
             pairs.neighbour.extend(part.neighbour);
             pairs.gradient.extend(part.gradient);
-            pairs.viscous.extend(part.viscous);
-            pairs.hourglass.extend(part.hourglass);
+            pairs.stabilisers.extend(part.stabilisers);
             pairs.start.push(pairs.neighbour.len() as u32);
         }
         pairs.at_edge = (0..pairs.clusters()).map(|c| pairs.is_at_edge(c)).collect();
@@ -160,14 +157,14 @@ impl Pairs {
     pub(super) fn pair(&self, a: usize, place: usize) -> Pair {
         let (lane, b) = (a % LANES, self.neighbour(place));
         let [area, ring] = self.size[a].map(|x| if x == 0.0 { 0.0 } else { 1.0 / x });
-        let viscous = f64::from(self.viscous[place][lane]) * ring;
+        let [viscous, hourglass] = self.stabilisers[place].map(|s| f64::from(s[lane]) * ring);
         Pair {
             neighbour: b as u32,
             offset: [0, 1].map(|k| self.position[a][k] - self.position[b][k]),
             gradient: f64::from(self.gradient[place][lane]) * area,
             viscous,
             separating: viscous * self.separating[a].max(self.separating[b]),
-            hourglass: 2.0 * f64::from(self.hourglass[place][lane]) * ring,
+            hourglass: 2.0 * hourglass,
         }
     }
 
@@ -189,8 +186,8 @@ impl Pairs {
                 for (lane, own) in own.enumerate() {
                     if *own || forgotten[source] {
                         self.gradient[k][lane] = 0.0;
-                        self.viscous[k][lane] = 0.0;
-                        self.hourglass[k][lane] = 0.0;
+                        self.stabilisers[k][0][lane] = 0.0;
+                        self.stabilisers[k][1][lane] = 0.0;
                     }
                 }
             }
@@ -228,8 +225,7 @@ impl Cloud {
 struct List {
     neighbour: Vec<u32>,
     gradient: Vec<[f32; LANES]>,
-    viscous: Vec<[f32; LANES]>,
-    hourglass: Vec<[f32; LANES]>,
+    stabilisers: Vec<[[f32; LANES]; 2]>,
 }
 
 impl List {
@@ -248,8 +244,7 @@ impl List {
         neighbour.dedup();
         let mut list = Self {
             gradient: vec![[0.0; LANES]; neighbour.len()],
-            viscous: vec![[0.0; LANES]; neighbour.len()],
-            hourglass: vec![[0.0; LANES]; neighbour.len()],
+            stabilisers: vec![[[0.0; LANES]; 2]; neighbour.len()],
             neighbour,
         };
         for k in 0..list.neighbour.len() {
@@ -266,8 +261,9 @@ impl List {
                 let value = kernel::value(square.sqrt(), h) / square;
                 let lane = a - first;
                 list.gradient[k][lane] = cloud.stored_gradient(a, j, [one.area, other.area]);
-                list.viscous[k][lane] = (areas * slope * (alpha * h * impedance * ring)) as f32;
-                list.hourglass[k][lane] = (0.5 * areas * value * (stiffness * ring)) as f32;
+                list.stabilisers[k][0][lane] =
+                    (areas * slope * (alpha * h * impedance * ring)) as f32;
+                list.stabilisers[k][1][lane] = (0.5 * areas * value * (stiffness * ring)) as f32;
             }
         }
         list

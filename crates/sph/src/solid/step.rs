@@ -4,11 +4,14 @@ use super::mat2::{Mat2, smallest_stretch};
 use super::points::TASK;
 use super::sums::matrices;
 use super::{Formulation, Solid, SolidError};
+use crate::geometry::Vec2;
 use crate::simd::{self, LANES, Simd, Task};
 use rayon::prelude::*;
 
 /// Compression that the Courant number has room for.
 const ROOM: f64 = 0.8;
+/// Particles per task of loops without neighbours.
+const LONG_TASK: usize = 2048;
 
 /// The stable step and what limits it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +27,19 @@ pub struct StepLimit {
 /// The first of those with the smallest number; particle 0 and infinity if there are none.
 fn least(all: impl Iterator<Item = (usize, f64)>) -> (usize, f64) {
     all.fold((0, f64::INFINITY), |m, x| if x.1 < m.1 { x } else { m })
+}
+
+/// Adds `dt` times a rate.
+fn add(field: &mut [Vec2], rate: &[Vec2], dt: f64) {
+    let tasks = field
+        .par_chunks_mut(LONG_TASK)
+        .zip(rate.par_chunks(LONG_TASK));
+    tasks.for_each(|(field, rate)| {
+        let rate = rate.as_flattened();
+        for (x, v) in field.as_flattened_mut().iter_mut().zip(rate) {
+            *x += dt * v;
+        }
+    });
 }
 
 /// Whether the smallest stretches of the particles of a cluster are seen without effort to be above [`ROOM`]:
@@ -95,10 +111,7 @@ impl Solid {
     /// Adds acceleration x `dt` to the velocities.
     pub fn kick(&mut self, dt: f64) {
         let s = &mut self.state;
-        (&mut s.velocity, &s.acceleration)
-            .into_par_iter()
-            .with_min_len(1024)
-            .for_each(|(v, a)| *v = [v[0] + dt * a[0], v[1] + dt * a[1]]);
+        add(&mut s.velocity, &s.acceleration, dt);
     }
 
     /// Adds velocity x `dt` to the positions; in the published form with XSPH its smoothed velocity.
@@ -109,10 +122,7 @@ impl Solid {
             self.follow_neighbours(settings.xsph, dt);
         }
         let s = &mut self.state;
-        (&mut s.position, &s.velocity)
-            .into_par_iter()
-            .with_min_len(1024)
-            .for_each(|(x, v)| *x = [x[0] + dt * v[0], x[1] + dt * v[1]]);
+        add(&mut s.position, &s.velocity, dt);
     }
 
     /// One step of a solid on its own, with its pressures held: kick, drift, stress, accelerations, kick, ledger.

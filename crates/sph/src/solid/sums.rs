@@ -225,10 +225,8 @@ fn add_forces<S: Simd, const EDGE: bool>(
     let place = &pairs.position[first..][..n];
     let separating = &pairs.separating[first..][..n];
     let (zero, one, two) = (S::splat(0.0), S::splat(1.0), S::splat(2.0));
-    let stored = (pairs.gradient[places.clone()].iter())
-        .zip(&pairs.viscous[places.clone()])
-        .zip(&pairs.hourglass[places.clone()]);
-    for (&b, ((g, viscous), stiffness)) in pairs.neighbours(places).iter().zip(stored) {
+    let stored = (pairs.gradient[places.clone()].iter()).zip(&pairs.stabilisers[places.clone()]);
+    for (&b, (g, [viscous, stiffness])) in pairs.neighbours(places).iter().zip(stored) {
         let b = b as usize - first;
         let (x, g) = offset(own.place, place[b], g);
         let d = minus(own.position, position[b]);
