@@ -179,8 +179,7 @@ impl World {
     fn advance_all(&mut self, dt: f64) -> Result<(), WorldError> {
         self.phases.start();
         self.each_solid(|s, clock| {
-            s.kick(0.5 * dt);
-            s.drift(0.5 * dt);
+            s.kick_and_drift(0.5 * dt, 0.5 * dt);
             clock.lap(Phase::Integrate);
             s.follow_surfaces();
             clock.lap(Phase::Boundaries);

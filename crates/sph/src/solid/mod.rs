@@ -23,6 +23,7 @@ mod indenter;
 mod layers;
 mod layout;
 mod mat2;
+mod motion;
 mod own;
 mod pairs;
 mod points;

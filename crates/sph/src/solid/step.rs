@@ -11,7 +11,7 @@ use rayon::prelude::*;
 /// Compression that the Courant number has room for.
 const ROOM: f64 = 0.8;
 /// Particles per task of loops without neighbours.
-const LONG_TASK: usize = 2048;
+pub(super) const LONG_TASK: usize = 2048;
 
 /// The stable step and what limits it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,13 +125,32 @@ impl Solid {
         add(&mut s.position, &s.velocity, dt);
     }
 
+    /// The same, one after the other.
+    pub fn kick_and_drift(&mut self, kick: f64, drift: f64) {
+        if let Formulation::Joshi(_) = self.numerics.formulation {
+            self.kick(kick);
+            return self.drift(drift);
+        }
+        let s = &mut self.state;
+        let tasks = (s.position.par_chunks_mut(LONG_TASK))
+            .zip(s.velocity.par_chunks_mut(LONG_TASK))
+            .zip(s.acceleration.par_chunks(LONG_TASK));
+        tasks.for_each(|((position, velocity), acceleration)| {
+            let (x, v) = (position.as_flattened_mut(), velocity.as_flattened_mut());
+            let both = x.iter_mut().zip(v);
+            for ((x, v), a) in both.zip(acceleration.as_flattened()) {
+                *v += kick * a;
+                *x += drift * *v;
+            }
+        });
+    }
+
     /// One step of a solid on its own, with its pressures held: kick, drift, stress, accelerations, kick, ledger.
     ///
     /// # Errors
     /// As [`Self::update_stress`].
     pub fn step(&mut self, dt: f64) -> Result<(), SolidError> {
-        self.kick(0.5 * dt);
-        self.drift(dt);
+        self.kick_and_drift(0.5 * dt, dt);
         self.update_stress(dt)?;
         self.accelerations();
         self.kick(0.5 * dt);
