@@ -183,8 +183,7 @@ impl World {
     fn advance_all(&mut self, dt: f64) -> Result<(), WorldError> {
         self.phases.start();
         self.each_solid(|s, clock| {
-            s.kick(0.5 * dt);
-            s.drift(0.5 * dt);
+            s.kick_and_drift(0.5 * dt, 0.5 * dt);
             clock.lap(Phase::Integrate);
             s.follow_surfaces();
             clock.lap(Phase::Boundaries);
@@ -306,11 +305,14 @@ impl World {
                 Body::Fluid(f) => (&f.position, &f.velocity),
                 Body::Solid(s) => (&s.state.position, &s.state.velocity),
             };
-            let finite = |(x, v): (&Vec2, &Vec2)| (x[0] + x[1] + v[0] + v[1]).is_finite();
-            let bad = (position.par_iter().zip(velocity))
-                .with_min_len(PARTICLES_PER_TASK)
-                .position_first(|pair| !finite(pair));
-            if let Some(particle) = bad {
+            let finite = |&(x, v): &(&Vec2, &Vec2)| (x[0] + x[1] + v[0] + v[1]).is_finite();
+            let all = |(x, v): (&[Vec2], &[Vec2])| x.iter().zip(v).all(|p| finite(&p));
+            let tasks = (position.par_chunks(PARTICLES_PER_TASK))
+                .zip(velocity.par_chunks(PARTICLES_PER_TASK));
+            if tasks.all(all) {
+                continue;
+            }
+            if let Some(particle) = position.iter().zip(velocity).position(|p| !finite(&p)) {
                 let x = position[particle];
                 let field = if (x[0] + x[1]).is_finite() {
                     "velocity"

@@ -11,6 +11,44 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// 2^52 + 2^51: adding and subtracting it rounds to whole numbers.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
+/// 1/3, 1/5, 1/7, ...
+const ODD: [f64; 12] = {
+    let mut c = [0.0; 12];
+    let mut k = 0;
+    while k < 12 {
+        c[k] = 1.0 / (2 * k + 3) as f64;
+        k += 1;
+    }
+    c
+};
+
+/// 1/2!, 1/3!, 1/4!, ...
+const FACTORIALS: [f64; 12] = {
+    let mut c = [0.5; 12];
+    let mut k = 1;
+    while k < 12 {
+        c[k] = c[k - 1] / (k + 2) as f64;
+        k += 1;
+    }
+    c
+};
+
+/// sum c_k x^k, by pairs and pairs of pairs: many of the operations wait for no other.
+#[inline(always)]
+fn polynomial<S: Simd>(x: S, c: &[f64; 12]) -> S {
+    let (square, mut quads) = (x * x, [x; 3]);
+    for (k, quad) in quads.iter_mut().enumerate() {
+        let c = [S::splat(c[4 * k]), S::splat(c[4 * k + 1])];
+        *quad = c[1].mul_add(x, c[0]);
+    }
+    for (k, quad) in quads.iter_mut().enumerate() {
+        let c = [S::splat(c[4 * k + 2]), S::splat(c[4 * k + 3])];
+        *quad = c[1].mul_add(x, c[0]).mul_add(square, *quad);
+    }
+    let fourth = square * square;
+    quads[2].mul_add(fourth, quads[1]).mul_add(fourth, quads[0])
+}
+
 /// Natural logarithm of positive normal numbers; meaningless for others.
 ///
 /// ln(m 2^e) = e ln 2 + 2 artanh s, s = (m - 1)/(m + 1), m in [0.7, 1.5): the series of artanh ends below rounding.
@@ -24,10 +62,7 @@ pub fn ln<S: Simd>(x: S) -> S {
     let f = m - one;
     let s = f / (m + one);
     let z = s * s;
-    let mut sum = S::splat(1.0 / 23.0);
-    for k in [21.0, 19.0, 17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
-        sum = sum.mul_add(z, S::splat(1.0 / k));
-    }
+    let sum = polynomial(z, &ODD);
     // 2 s = f - s f: the large part stays exact.
     let rest = (sum * z).mul_add(s + s, -(s * f));
     e.mul_add(S::splat(LN_2[0]), f + e.mul_add(S::splat(LN_2[1]), rest))
@@ -42,13 +77,8 @@ pub fn exp<S: Simd>(x: S) -> S {
     let x = x.min(S::splat(700.0)).max(S::splat(-700.0));
     let n = x.mul_add(S::splat(LOG2_E), S::splat(ROUND)) - S::splat(ROUND);
     let r = n.mul_add(S::splat(-LN_2[1]), n.mul_add(S::splat(-LN_2[0]), x));
-    let mut sum = S::splat(1.0);
-    for k in [
-        13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0,
-    ] {
-        // Horner's rule on 1 + r/1 (1 + r/2 (1 + ...)).
-        sum = (sum * r).mul_add(S::splat(1.0 / k), S::splat(1.0));
-    }
+    // 1 + (r + r^2 (1/2 + ...)): the large parts are added last.
+    let sum = (polynomial(r, &FACTORIALS) * r).mul_add(r, r) + S::splat(1.0);
     sum.scale(n)
 }
 

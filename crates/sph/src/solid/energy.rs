@@ -5,8 +5,6 @@
 //! The work of a face is taken at its deformed surface points, where the liquid sees it.
 
 use super::{Face, Solid};
-use crate::fluid::ordered_sum;
-use crate::geometry::Vec2;
 
 /// Energies of a solid, J (of the whole ring in axisymmetry, per metre in plane strain).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,17 +82,11 @@ impl Solid {
     /// a kick-drift-kick step of length `dt` (s), whose velocities make the powers second order in time.
     pub fn account(&mut self, dt: f64) {
         self.follow_surfaces();
-        let (velocity, mass) = (&self.state.velocity, &self.reference.mass);
-        let power = |part: &[Vec2]| {
-            ordered_sum(part.len(), |a| {
-                let (force, v) = (part[a], velocity[a]);
-                mass[a] * (force[0] * v[0] + force[1] * v[1])
-            })
-        };
-        let (viscous, hourglass) = (power(&self.scratch.viscous), power(&self.scratch.hourglass));
-        let work = &mut self.state.work;
-        work.viscous -= dt * viscous;
-        work.hourglass -= dt * hourglass;
+        // At the velocities after the closing kick.
+        let work_of = |power: [f64; 2]| dt * (power[0] + 0.5 * dt * power[1]);
+        let (powers, work) = (self.scratch.powers, &mut self.state.work);
+        work.viscous -= work_of(powers.viscous);
+        work.hourglass -= work_of(powers.hourglass);
         for surface in &self.surfaces {
             let work = match surface.face {
                 Face::Absorbing => &mut self.state.work.absorbing,

@@ -15,8 +15,10 @@
 
 use super::reference::Reference;
 use super::state::{FAILED, LOOSE};
+use super::step::LONG_TASK;
 use super::{Formulation, Solid, stress};
 use erode_physics::Sym3;
+use rayon::prelude::*;
 
 impl Solid {
     /// Whether a particle has been taken out.
@@ -36,9 +38,7 @@ impl Solid {
 
     /// Takes out what has failed, then what came loose by that.
     pub(super) fn remove_failed(&mut self) {
-        let gone: Vec<usize> = (0..self.len())
-            .filter(|&a| self.state.damage[a] >= 1.0 && !self.is_removed(a))
-            .collect();
+        let gone = self.find(|a| self.state.damage[a] >= 1.0 && !self.is_removed(a));
         for &a in &gone {
             self.count_as_lost(a, FAILED);
         }
@@ -49,14 +49,22 @@ impl Solid {
 
     /// Brings the neighbour sums of a body whose state was replaced up to its removed particles.
     pub(super) fn forget_removed(&mut self) {
-        let gone: Vec<usize> = (0..self.len())
-            .filter(|&a| self.is_removed(a) && !self.reference.forgotten[a])
-            .collect();
+        let gone = self.find(|a| self.is_removed(a) && !self.reference.forgotten[a]);
         if gone.is_empty() || !self.stores_pairs() {
             return;
         }
         self.reference.forget(&gone);
         self.share_out_again();
+    }
+
+    /// Particles of which something rare is true, ascending.
+    fn find(&self, is_true: impl Fn(usize) -> bool + Sync) -> Vec<usize> {
+        let task = |task: usize| task * LONG_TASK..self.len().min((task + 1) * LONG_TASK);
+        let tasks = (0..self.len().div_ceil(LONG_TASK)).into_par_iter();
+        let found = tasks.filter(|&t| task(t).any(&is_true));
+        let found: Vec<usize> = found.collect();
+        let particles = found.into_iter().flat_map(task);
+        particles.filter(|&a| is_true(a)).collect()
     }
 
     fn stores_pairs(&self) -> bool {
@@ -97,7 +105,7 @@ impl Solid {
                 continue;
             }
             let before = self.volume_ratio(a);
-            let f = stress::gradient(&self.reference, &self.scratch.position, a);
+            let f = stress::gradient(&self.reference, &self.positions(), a);
             let after = before * super::mat2::determinant(&f)
                 / super::mat2::determinant(&self.state.deformation[a]);
             if after > 0.0 {
@@ -140,14 +148,16 @@ impl Reference {
         near.extend(gone);
         near.sort_unstable();
         near.dedup();
-        self.silence_forgotten();
+        self.silence_near(&near);
         for &a in &near {
             self.silence(a);
         }
+        let changed = near.clone();
         near.retain(|&a| !self.forgotten[a]);
         let loose = (near.iter().copied())
             .filter(|&a| !self.correct_again(a))
             .collect();
+        self.settle(&changed);
         (near, loose)
     }
 }

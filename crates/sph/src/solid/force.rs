@@ -16,163 +16,190 @@
 //!
 //! R is the signed radius in axisymmetry and 1 in plane strain. Units: SI.
 
-use super::images::{Flux, Image};
+use super::driven::DrivenPair;
+use super::flux::Images;
 use super::layers::Materials;
-use super::mat2::{Mat2, apply, combine, determinant, product, scaled};
-use super::pairs::Pair;
+use super::mat2::Mat2;
+use super::own::OfForce;
+use super::points::TASK;
 use super::reference::Reference;
-use super::state::State;
-use super::stress::TASK;
-use super::sums::{self, Forces, Matrices, Moving};
+use super::sums::{self, Moving, eight, lanes, matrices, vectors};
 use super::surface::Surface;
 use super::{Face, Formulation, Solid, absorbing};
 use crate::geometry::{Geometry, Vec2};
+use crate::simd::{self, LANES, Simd, Task};
 use rayon::prelude::*;
 
 /// What the sums over pairs read and write, and what is found on the way.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
-    /// Positions of particles, then of mirror images, m.
-    pub(super) position: Vec<Vec2>,
-    /// Velocities of the same, m/s.
-    pub(super) velocity: Vec<Vec2>,
-    /// Sums of the deformation gradient, by clusters.
-    pub(super) gradients: Vec<Matrices>,
-    moving: Vec<Moving>,
-    forces: Vec<Forces>,
-    open_flux: Vec<Mat2>,
-    /// P_tt, zero in plane strain.
-    hoop: Vec<f64>,
+    /// Positions of mirror images, m.
+    pub(super) image_position: Vec<Vec2>,
+    /// Their velocities, m/s.
+    pub(super) image_velocity: Vec<Vec2>,
+    pub(super) images: Images,
+    /// Q of the particles.
+    pub(super) flux: Vec<Mat2>,
+    /// Clusters with particles behind the points of faces, ascending.
+    pub(super) face_clusters: Vec<u32>,
     /// Pairs with images beyond driven faces.
-    driven: Vec<DrivenPair>,
+    pub(super) driven: Vec<DrivenPair>,
     /// Particles laid bare by failure that an indenter pushes, with the forces, N.
     pub(super) bared: Vec<(u32, Vec2)>,
-    pub(super) viscous: Vec<Vec2>,
-    pub(super) hourglass: Vec<Vec2>,
+    pub(super) powers: Powers,
 }
 
-/// A pair through which a driven face acts.
-#[derive(Debug, Clone, Copy)]
-struct DrivenPair {
-    particle: u32,
-    /// Where it stands in the lists of `pairs.rs`.
-    place: u32,
-    surface: u32,
-    point: u32,
+/// Power of the viscous and hourglass forces at the velocities, W, and that at velocities equal to the accelerations, W/s.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Powers {
+    pub(super) viscous: [f64; 2],
+    pub(super) hourglass: [f64; 2],
 }
 
-/// The three parts of an acceleration.
-#[derive(Default)]
-struct Parts {
-    total: Vec2,
-    viscous: Vec2,
-    hourglass: Vec2,
+impl Powers {
+    fn plus(self, other: Self) -> Self {
+        let add = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        Self {
+            viscous: add(self.viscous, other.viscous),
+            hourglass: add(self.hourglass, other.hourglass),
+        }
+    }
 }
 
 impl Scratch {
-    /// Finds the pairs through which driven faces act.
+    /// Of a body whose reference is known.
     pub(super) fn of(reference: &Reference, surfaces: &[Surface]) -> Self {
-        let n = reference.position.len();
-        let mut driven = Vec::new();
-        for (surface, face) in surfaces.iter().enumerate() {
-            for particle in 0..n {
-                for place in reference.pairs.places_of(particle) {
-                    let neighbour = reference.pairs.neighbour(place);
-                    let Some(image) = neighbour.checked_sub(n) else {
-                        continue;
-                    };
-                    let image = reference.mirror_images[image];
-                    if image.beyond(face.side) {
-                        driven.push(DrivenPair {
-                            particle: particle as u32,
-                            place: place as u32,
-                            surface: surface as u32,
-                            point: face.foot(image.source) as u32,
-                        });
-                    }
-                }
-            }
-        }
         Self {
-            driven,
+            driven: DrivenPair::all(reference, surfaces),
+            face_clusters: Solid::clusters_at_faces(surfaces),
             ..Self::default()
-        }
-    }
-
-    /// Acceleration of a particle by one of its real or mirrored neighbours.
-    fn by(&self, reference: &Reference, a: usize, p: &Pair) -> Vec2 {
-        let b = p.neighbour as usize;
-        let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
-        let (own, other) = (&self.moving[a], &self.moving[b]);
-        let d = [0, 1].map(|i| own.position[i] - other.position[i]);
-        let v = [0, 1].map(|i| own.velocity[i] - other.velocity[i]);
-        let along = v[0] * d[0] + v[1] * d[1];
-        let per_density = 1.0 / reference.density[a];
-        let approach = per_density * along * if along < 0.0 { p.viscous } else { p.separating };
-        let stiffness = per_density * p.hourglass;
-        let (q, f) = (
-            combine(&own.flux, 1.0, &other.flux, 1.0),
-            combine(&own.half_deformation, 1.0, &other.half_deformation, 1.0),
-        );
-        let (force, linear) = (apply(&q, g), apply(&f, p.offset));
-        let scale = 1.0 / (reference.density[a] * reference.weight[a]);
-        [0, 1].map(|i| force[i] * scale + approach * d[i] + stiffness * (linear[i] - d[i]))
-    }
-
-    /// Acceleration from the sums over pairs, the open images and the hoop stress.
-    fn acceleration(&self, reference: &Reference, a: usize) -> Parts {
-        if reference.forgotten[a] {
-            return Parts::default();
-        }
-        let (cluster, lane) = reference.pairs.slot(a);
-        let sum = self.forces[cluster].map(|s| s[lane]);
-        let q = &self.moving[a].flux;
-        let mut force = [sum[0], sum[1]];
-        for p in reference.open_pairs_of(a) {
-            let qb = &self.open_flux[p.image as usize];
-            let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
-            for i in 0..2 {
-                force[i] += (q[i][0] + qb[i][0]) * g[0] + (q[i][1] + qb[i][1]) * g[1];
-            }
-        }
-        let imbalance = apply(q, reference.imbalance[a]);
-        force[0] -= imbalance[0] + self.hoop[a];
-        force[1] -= imbalance[1];
-        let scale = 1.0 / (reference.density[a] * reference.weight[a]);
-        let half = 0.5 / reference.density[a];
-        let viscous = [sum[2], sum[3]].map(|x| half * x);
-        let hourglass = [sum[4], sum[5]].map(|x| half * x);
-        Parts {
-            total: [0, 1].map(|i| force[i] * scale + viscous[i] + hourglass[i]),
-            viscous,
-            hourglass,
         }
     }
 }
 
-impl Solid {
-    /// Positions of particles and mirror images for the gather loops.
-    pub(super) fn place_images(&mut self) {
-        let (reference, surfaces, block) = (&self.reference, &self.surfaces, &self.block);
-        let position = &mut self.scratch.position;
-        position.clear();
-        position.extend_from_slice(&self.state.position);
-        for (image, place) in (reference.mirror_images.iter()).zip(&reference.image_position) {
-            let b = image.source as usize;
-            let (x, start) = (self.state.position[b], reference.position[b]);
-            let u = [x[0] - start[0], x[1] - start[1]];
-            let u = image.displacement(block, surfaces, start, u);
-            position.push([place[0] + u[0], place[1] + u[1]]);
+/// Accelerations of the particles of one task.
+struct Accelerate<'a> {
+    solid: &'a Solid,
+    task: usize,
+    acceleration: &'a mut [Vec2],
+}
+
+impl Task for Accelerate<'_> {
+    type Output = Powers;
+
+    #[inline(always)]
+    fn run<S: Simd>(self) -> Powers {
+        let mut powers = [S::splat(0.0); 4];
+        for (k, acceleration) in self.acceleration.chunks_mut(LANES).enumerate() {
+            let cluster = self.task * TASK / LANES + k;
+            let [x, y] = self.solid.accelerate::<S>(cluster, &mut powers);
+            let (x, y) = (x.store(), y.store());
+            for (l, a) in acceleration.iter_mut().enumerate() {
+                *a = [x[l], y[l]];
+            }
+        }
+        let mut sums = [0.0; 4];
+        for (sum, power) in sums.iter_mut().zip(powers) {
+            *sum = power.store().iter().sum();
+        }
+        Powers {
+            viscous: [sums[0], sums[1]],
+            hourglass: [sums[2], sums[3]],
         }
     }
+}
 
-    pub(super) fn move_images(&mut self) {
-        let velocity = &mut self.scratch.velocity;
-        velocity.clear();
-        velocity.extend_from_slice(&self.state.velocity);
-        for image in &self.reference.mirror_images {
-            let v = self.state.velocity[image.source as usize];
-            velocity.push(image.velocity(&self.surfaces, v));
+#[inline(always)]
+fn dot<S: Simd>(a: [S; 2], b: [S; 2]) -> S {
+    a[0].mul_add(b[0], a[1] * b[1])
+}
+
+impl Solid {
+    /// Accelerations of a cluster; adds to the powers of viscous and hourglass forces.
+    #[inline(always)]
+    fn accelerate<S: Simd>(&self, cluster: usize, powers: &mut [S; 4]) -> [S; 2] {
+        let (state, reference, scratch) = (&self.state, &self.reference, &self.scratch);
+        let particles = Moving {
+            position: &state.position,
+            velocity: &state.velocity,
+            deformation: &state.deformation,
+            flux: &scratch.flux,
+        };
+        let images = Moving {
+            position: &scratch.image_position,
+            velocity: &scratch.image_velocity,
+            deformation: &scratch.images.deformation,
+            flux: &scratch.images.flux,
+        };
+        let sums = sums::forces::<S>(&reference.pairs, &particles, &images, cluster);
+        let own = OfForce::from(reference.own.force[cluster].load::<S>());
+        let q = matrices::<S>(&scratch.flux, cluster);
+        let f = matrices::<S>(&state.deformation, cluster);
+        let (mut force, mut hourglass) = (sums.stress, sums.hourglass);
+        for i in 0..2 {
+            force[i] = force[i] + dot([q[2 * i], q[2 * i + 1]], own.flux);
+            hourglass[i] = hourglass[i] + dot([f[2 * i], f[2 * i + 1]], own.hourglass);
+        }
+        if reference.own.open[cluster] {
+            let open = self.open_force(cluster);
+            for i in 0..2 {
+                force[i] = force[i] + S::load(&open[i]);
+            }
+        }
+        if self.geometry == Geometry::Axisymmetric {
+            let (stress, count) = eight(&state.stress, cluster);
+            let determinant = f[0].mul_add(f[3], -(f[1] * f[2]));
+            let hoop = determinant * lanes(0, count, |l| stress[l].zz);
+            force[0] = force[0] - hoop * own.area;
+        }
+        let mut total = force;
+        for i in 0..2 {
+            total[i] = (force[i] + (sums.viscous[i] + hourglass[i])) * own.scale;
+        }
+        if !scratch.bared.is_empty() {
+            self.push_bared(cluster, &mut total);
+        }
+        let v = vectors(&state.velocity, cluster);
+        let weight = own.mass * own.scale;
+        powers[0] = weight.mul_add(dot(sums.viscous, v), powers[0]);
+        powers[1] = weight.mul_add(dot(sums.viscous, total), powers[1]);
+        powers[2] = weight.mul_add(dot(hourglass, v), powers[2]);
+        powers[3] = weight.mul_add(dot(hourglass, total), powers[3]);
+        total
+    }
+
+    /// Force of the open images on the particles of a cluster, in the unit of the sums.
+    fn open_force(&self, cluster: usize) -> [[f64; LANES]; 2] {
+        let (reference, scratch) = (&self.reference, &self.scratch);
+        let (own, _) = eight(&scratch.flux, cluster);
+        let mut force = [[0.0; LANES]; 2];
+        for (l, q) in own.iter().enumerate() {
+            let a = cluster * LANES + l;
+            for p in reference.open_pairs_of(a) {
+                let qb = &scratch.images.open_flux[p.image as usize];
+                let g = p.offset.map(|x| x * (p.gradient * reference.area[a]));
+                for i in 0..2 {
+                    force[i][l] += (q[i][0] + qb[i][0]) * g[0] + (q[i][1] + qb[i][1]) * g[1];
+                }
+            }
+        }
+        force
+    }
+
+    /// Adds the push of an indenter on particles laid bare to the accelerations of a cluster.
+    #[cold]
+    fn push_bared<S: Simd>(&self, cluster: usize, total: &mut [S; 2]) {
+        let bared = &self.scratch.bared;
+        let first = bared.partition_point(|(a, _)| (*a as usize) < cluster * LANES);
+        let here = bared[first..].iter();
+        let here = here.take_while(|(a, _)| (*a as usize) < (cluster + 1) * LANES);
+        for (a, force) in here {
+            let mass = self.reference.mass[*a as usize];
+            for (total, force) in total.iter_mut().zip(force) {
+                let mut push = [0.0; LANES];
+                push[*a as usize % LANES] = force / mass;
+                *total = *total + S::load(&push);
+            }
         }
     }
 
@@ -184,55 +211,29 @@ impl Solid {
             Formulation::Joshi(settings) => self.present_accelerations(&settings),
             Formulation::TotalLagrangian => self.reference_accelerations(),
         }
-        self.press_bared();
     }
 
     fn reference_accelerations(&mut self) {
         self.place_images();
         self.move_images();
         self.press();
+        self.press_bared();
         self.set_tractions();
         self.fluxes();
-        sums::forces(
-            &self.reference.pairs,
-            &self.scratch.moving,
-            &mut self.scratch.forces,
-        );
-        let mut viscous = std::mem::take(&mut self.scratch.viscous);
-        let mut hourglass = std::mem::take(&mut self.scratch.hourglass);
-        viscous.resize(self.len(), [0.0; 2]);
-        hourglass.resize(self.len(), [0.0; 2]);
-        let (scratch, reference) = (&self.scratch, &self.reference);
-        (&mut self.state.acceleration, &mut viscous, &mut hourglass)
-            .into_par_iter()
-            .enumerate()
-            .with_min_len(TASK)
-            .for_each(|(a, (total, viscous, hourglass))| {
-                let parts = scratch.acceleration(reference, a);
-                (*total, *viscous, *hourglass) = (parts.total, parts.viscous, parts.hourglass);
-            });
-        (self.scratch.viscous, self.scratch.hourglass) = (viscous, hourglass);
+        let mut acceleration = std::mem::take(&mut self.state.acceleration);
+        let solid = &*self;
+        let powers: Vec<Powers> = (acceleration.par_chunks_mut(TASK).enumerate())
+            .map(|(task, acceleration)| {
+                simd::run(Accelerate {
+                    solid,
+                    task,
+                    acceleration,
+                })
+            })
+            .collect();
+        self.state.acceleration = acceleration;
+        self.scratch.powers = powers.into_iter().fold(Powers::default(), Powers::plus);
         self.driven_tractions();
-    }
-
-    /// Tractions of the driven points: the forces of the images beyond them per reference area.
-    fn driven_tractions(&mut self) {
-        for surface in &mut self.surfaces {
-            for j in (0..surface.area.len()).filter(|&j| surface.driven[j]) {
-                surface.traction[j] = [0.0; 2];
-            }
-        }
-        let (scratch, reference) = (&self.scratch, &self.reference);
-        for d in &scratch.driven {
-            let (a, j) = (d.particle as usize, d.point as usize);
-            let pair = reference.pairs.pair(a, d.place as usize);
-            let acceleration = scratch.by(reference, a, &pair);
-            let surface = &mut self.surfaces[d.surface as usize];
-            let share = reference.mass[a] / surface.area[j];
-            for (t, acceleration) in surface.traction[j].iter_mut().zip(acceleration) {
-                *t += share * acceleration;
-            }
-        }
     }
 
     fn set_tractions(&mut self) {
@@ -259,75 +260,4 @@ impl Solid {
             }
         }
     }
-
-    fn fluxes(&mut self) {
-        let (state, reference) = (&self.state, &self.reference);
-        let axisymmetric = self.geometry == Geometry::Axisymmetric;
-        let scratch = &mut self.scratch;
-        let images = scratch.position.len();
-        scratch.moving.resize(images, Moving::default());
-        scratch.hoop.resize(state.position.len(), 0.0);
-        let (moving, _) = scratch.moving.split_at_mut(state.position.len());
-        (moving, &mut scratch.hoop)
-            .into_par_iter()
-            .enumerate()
-            .with_min_len(TASK)
-            .for_each(|(a, (moving, hoop))| {
-                let f = &state.deformation[a];
-                let nominal = weighted_nominal(state, reference, a);
-                *moving = Moving {
-                    position: state.position[a],
-                    velocity: state.velocity[a],
-                    half_deformation: scaled(f, 0.5),
-                    flux: product(&nominal, &reference.full_correction[a]),
-                };
-                *hoop = if axisymmetric {
-                    determinant(f) * state.stress[a].zz
-                } else {
-                    0.0
-                };
-            });
-        self.image_fluxes(axisymmetric);
-    }
-
-    fn image_fluxes(&mut self, axisymmetric: bool) {
-        let (state, reference) = (&self.state, &self.reference);
-        let (block, surfaces) = (&self.block, &self.surfaces);
-        let at = |image: &Image| {
-            let b = image.source as usize;
-            let source = Flux {
-                flux: weighted_nominal(state, reference, b),
-                correction: reference.full_correction[b],
-                weight: reference.weight[b],
-            };
-            source.at_image(image, block, axisymmetric, surfaces)
-        };
-        let scratch = &mut self.scratch;
-        let n = state.position.len();
-        for (k, image) in reference.mirror_images.iter().enumerate() {
-            let b = image.source as usize;
-            let (x, start) = (state.position[b], reference.position[b]);
-            let u = [x[0] - start[0], x[1] - start[1]];
-            let f = image.deformation(block, surfaces, start, u, state.deformation[b]);
-            scratch.moving[n + k] = Moving {
-                position: scratch.position[n + k],
-                velocity: scratch.velocity[n + k],
-                half_deformation: scaled(&f, 0.5),
-                flux: at(image),
-            };
-        }
-        scratch.open_flux.clear();
-        scratch
-            .open_flux
-            .extend(reference.open_images.iter().map(at));
-    }
-}
-
-/// R P in the plane of motion, P = J sigma F^-T.
-fn weighted_nominal(state: &State, reference: &Reference, a: usize) -> Mat2 {
-    let (f, s) = (&state.deformation[a], state.stress[a]);
-    // J F^-T = F_tt cof F, without a quotient.
-    let cofactor = [[f[1][1], -f[1][0]], [-f[0][1], f[0][0]]];
-    let nominal = product(&[[s.xx, s.xy], [s.xy, s.yy]], &cofactor);
-    scaled(&nominal, reference.weight[a] * state.hoop_stretch[a])
 }

@@ -12,7 +12,8 @@
 
 use super::block::{Block, Reflection, Side};
 use super::mat2::{Mat2, mirrored, product, scaled};
-use super::surface::{Surface, Wall};
+use super::motion::Wall;
+use super::surface::Surface;
 use crate::geometry::Vec2;
 
 /// One reflection: the face and how the body goes on beyond it.

@@ -146,7 +146,7 @@ impl Solid {
         }
     }
 
-    /// Adds the push of the indenter on particles laid bare by failure to the accelerations.
+    /// Finds the particles laid bare by failure that the indenter pushes, ascending.
     pub(super) fn press_bared(&mut self) {
         self.scratch.bared.clear();
         let Some(indenter) = self.indenter else {
@@ -176,9 +176,6 @@ impl Solid {
             if traction != [0.0; 2] {
                 let area = width * self.geometry.ring(self.reference.position[a][0]);
                 let force = traction.map(|t| t * area);
-                for (acceleration, f) in self.state.acceleration[a].iter_mut().zip(force) {
-                    *acceleration += f / self.reference.mass[a];
-                }
                 self.scratch.bared.push((a as u32, force));
             }
         }

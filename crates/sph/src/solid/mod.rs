@@ -2,22 +2,31 @@
 //!
 //! The body is a rectangle in its reference configuration, of any (also graded) spacing; in the total Lagrangian form
 //! neighbours and gradients are those of the reference, stored once. Sums are gathers over fixed lists with one writer per
-//! output, so results are the same bits for any number of threads. The formulas stand on top of
-//! `stress.rs` (strain and stress), `force.rs`, `images.rs` (faces), `balance.rs`, `surface.rs` and `energy.rs`.
+//! output, so results are the same bits for any number of threads. Eight particles that follow each other stand side by side in the lanes
+//! of all passes (`pairs.rs`). The formulas stand on top of `stress.rs` (strain and stress), `force.rs`, `images.rs` (faces), `balance.rs`, `surface.rs` and `energy.rs`.
 
 mod absorbing;
 mod balance;
 mod block;
+mod blocks;
+mod corrections;
+mod driven;
 mod energy;
 mod error;
 mod failure;
+mod flow;
+mod flux;
+mod follow;
 mod force;
 mod images;
+mod increment;
 mod indenter;
 mod layers;
+mod layout;
 mod mat2;
+mod motion;
+mod own;
 mod pairs;
-mod patches;
 mod points;
 mod quasi_static;
 mod reference;
@@ -26,6 +35,8 @@ mod resolution;
 mod rest;
 mod return_in_lanes;
 mod search;
+mod setup;
+mod shares;
 pub mod space;
 mod state;
 mod step;
@@ -44,16 +55,16 @@ pub use quasi_static::{QuasiStatic, Share, smoothstep};
 pub use reference::Reference;
 pub use renewal::Base;
 pub use resolution::LoadResolution;
+pub use setup::Setup;
 pub use state::{FAILED, Field, LOOSE, Lost, State, Work};
 pub use step::StepLimit;
 pub use surface::Surface;
 
-use crate::geometry::{Geometry, Vec2};
-use crate::kernel;
+use crate::geometry::Geometry;
 use erode_physics::damage::Damage;
 use erode_physics::material_point::Material;
 use layers::Materials;
-use reference::Layout;
+use layout::Layout;
 use serde::{Deserialize, Serialize};
 
 /// Numerical constants of the formulation; the defaults are the ones that were measured as best.
@@ -131,23 +142,6 @@ pub struct Solid {
     present: updated::Present,
 }
 
-/// What a solid is made from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setup {
-    /// Plane strain or axisymmetric.
-    pub geometry: Geometry,
-    /// Reference rectangle and its faces.
-    pub block: Block,
-    /// Material.
-    pub material: Material,
-    /// Numerical constants.
-    pub numerics: Numerics,
-    /// Reference positions inside the rectangle, m.
-    pub position: Vec<Vec2>,
-    /// Area of each particle in the plane of motion, m2.
-    pub area: Vec<f64>,
-}
-
 impl Solid {
     /// Builds the body at rest and free of stress.
     ///
@@ -194,7 +188,8 @@ impl Solid {
             )?,
         };
         let axisymmetric = geometry == Geometry::Axisymmetric;
-        reference.imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
+        let imbalance = balance::imbalance(&reference, &block, axisymmetric, &surfaces);
+        reference.balance(imbalance);
         let mut solid = Self {
             state: State::at_rest(reference.position.clone(), material.temperature),
             geometry,
@@ -293,61 +288,6 @@ impl Solid {
                 return Err(SolidError::PressureOnFreeFace {
                     side: surface.side,
                     pressure,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// Moves the surface points to the present positions and velocities; takes particles out of the neighbour sums that the
-    /// state counts as removed.
-    pub fn follow_surfaces(&mut self) {
-        self.forget_removed();
-        if let Formulation::Joshi(_) = self.numerics.formulation {
-            return self.arrange();
-        }
-        self.move_images();
-        self.follow_moved_surfaces();
-    }
-
-    /// The same with the images where they are.
-    fn follow_moved_surfaces(&mut self) {
-        let (reference, velocity) = (&self.reference, &self.scratch.velocity);
-        for surface in &mut self.surfaces {
-            surface.follow_position(reference, &self.state);
-            surface.follow_velocity(reference, &self.state, |a| {
-                stress::gradient(reference, velocity, a)
-            });
-        }
-    }
-}
-
-impl Setup {
-    fn check(&self) -> Result<(), SolidError> {
-        self.block.check(self.geometry)?;
-        if self.position.len() != self.area.len() || self.position.is_empty() {
-            return Err(SolidError::BadCount {
-                positions: self.position.len(),
-                areas: self.area.len(),
-            });
-        }
-        let largest = self.area.iter().fold(0.0, |m: f64, &a| m.max(a));
-        let support = kernel::SUPPORT * self.numerics.smoothing_ratio * largest.sqrt();
-        if (0..2).any(|k| self.block.upper[k] - self.block.lower[k] < support) {
-            return Err(SolidError::BadBlock {
-                block: Box::new(self.block),
-                why: format!("it is thinner than the kernel of its largest particle, {support} m"),
-            });
-        }
-        for (particle, (&position, &area)) in self.position.iter().zip(&self.area).enumerate() {
-            let inside = Side::ALL
-                .iter()
-                .all(|&s| self.block.depth(s, position) > 0.0);
-            if !inside || !area.is_finite() || area <= 0.0 {
-                return Err(SolidError::BadParticle {
-                    particle,
-                    position,
-                    area,
                 });
             }
         }

@@ -1,22 +1,20 @@
 //! Stored pairs of the reference configuration, in clusters of eight particles that share a list of neighbours.
 //!
-//! The particles of a cluster stand side by side in the lanes; each neighbour of any of them is taken once, for all eight.
-//! Stored per lane are (dW/dX)/X^3 and W/X^2 of the pair, zero where the neighbour is out of reach; all else follows from the
-//! reference values of the particles. A cluster is a compact patch (the body is halved along its longer side until eight are
-//! left), so that lists are short: about 45 neighbours where one particle has 20.
+//! A cluster is eight particles that follow each other: a body whose particles stand in `neighbours::compact_order` has lists of
+//! about 44 neighbours where one particle has 20. The particles of a cluster stand side by side in the lanes; each neighbour of any
+//! of them is taken once, for all eight. Stored per lane is all that a pair has of its own, zero where the neighbour is out of
+//! reach, with X = X_a - X_b and the signed radius R (1 in plane strain):
 //!
-//! The two kernel values are kept in single precision, in units of the smallest smoothing length: they are the same number
-//! from both sides of a pair, so that it is just another kernel, by 1e-7 of its value; forces stay opposite to each other
-//! and corrected gradients exact.
+//! g = A_a A_b (dW/dX)/X,  v = g/X^2 alpha h min(rho0 c_l) (|R_a| + |R_b|)/2,  e = A_a A_b W/X^2 zeta min(E) (|R_a| + |R_b|)/4
 //!
-//! A particle taken out of the body has area 0 here.
+//! They are kept in single precision. Each is the same number from both sides of a pair, so that it is just another kernel, by
+//! 1e-7 of its value: forces stay opposite to each other and corrected gradients exact.
 
 use super::images::Image;
-use super::patches;
 use super::search::Cloud;
 use crate::geometry::Vec2;
 use crate::kernel;
-use crate::simd::{LANES, Simd};
+use crate::simd::LANES;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -37,63 +35,47 @@ pub(super) struct Pair {
     pub(super) hourglass: f64,
 }
 
-/// What pairs need of a particle or a mirror image.
+/// Everything about a particle or its image that its pairs depend on.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
-pub(super) struct Fixed {
-    /// Position, m.
-    pub(super) position: Vec2,
-    /// Area, 0 when taken out, in the unit of the stored gradients.
+pub(super) struct Source {
+    /// 0 when taken out, m2.
     pub(super) area: f64,
-    /// Half the smoothing length, m.
-    pub(super) half_length: f64,
     /// R in axisymmetry, 1 in plane strain.
     pub(super) weight: f64,
     /// Density times longitudinal wave speed, kg/(m2 s).
     pub(super) impedance: f64,
-    /// Hourglass stiffness zeta E, Pa, in the unit of the stored values.
+    /// Hourglass stiffness zeta E, Pa.
     pub(super) stiffness: f64,
     /// Viscosity of pairs with this particle on separation: not 0 in the first row of an open face.
-    pub(super) edge: f64,
-}
-
-/// Everything about a particle or mirror image that its pairs depend on.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Source {
-    pub(super) area: f64,
-    pub(super) weight: f64,
-    pub(super) impedance: f64,
-    pub(super) stiffness: f64,
     pub(super) edge: f64,
 }
 
 /// The pairs of all particles.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pairs {
-    /// Particles of each cluster; the last one is filled up with its last particle.
-    members: Vec<[u32; LANES]>,
-    /// Cluster and lane of each particle: LANES cluster + lane.
-    slot: Vec<u32>,
+    particles: usize,
     /// Where the list of each cluster starts.
     start: Vec<u32>,
+    /// Where the mirror images in it start.
+    beyond: Vec<u32>,
     neighbour: Vec<u32>,
-    gradient: Vec<[f32; LANES]>,
-    value: Vec<[f32; LANES]>,
-    pub(super) fixed: Vec<Fixed>,
-    /// Least viscosity on approach.
-    pub(super) viscosity: f64,
-}
-
-/// One entry in the list of a cluster.
-pub(super) struct Entry<'a> {
-    pub(super) neighbour: usize,
-    pub(super) fixed: &'a Fixed,
-    pub(super) gradient: &'a [f32; LANES],
-    pub(super) value: &'a [f32; LANES],
+    /// g.
+    pub(super) gradient: Vec<[f32; LANES]>,
+    /// v and e.
+    pub(super) stabilisers: Vec<[[f32; LANES]; 2]>,
+    /// Reference positions of particles, then of mirror images, m.
+    pub(super) position: Vec<Vec2>,
+    /// Viscosity on separation of pairs with each of them over that on approach.
+    pub(super) separating: Vec<f64>,
+    /// Whether some pair of a cluster has a viscosity on separation.
+    pub(super) at_edge: Vec<bool>,
+    /// Area times R of each particle: what coefficients are divided by.
+    size: Vec<[f64; 2]>,
 }
 
 impl Pairs {
-    /// Pairs from the neighbours of each particle; `source` tells about particles and their images.
+    /// Pairs from the neighbours of each particle; `source` tells about particles and their images, `viscosity` is the least on
+    /// approach.
     pub(super) fn new(
         cloud: &Cloud,
         lists: &[Vec<u32>],
@@ -101,54 +83,44 @@ impl Pairs {
         source: impl Fn(usize) -> Source,
     ) -> Self {
         let real = cloud.particles + cloud.mirror_images.len();
-        let h = &cloud.smoothing_length;
-        let unit = cloud.unit();
-        let fixed = |j: usize| {
-            let s = source(cloud.source[j] as usize);
-            Fixed {
-                position: cloud.points[j],
-                area: s.area * unit.powi(-6),
-                half_length: 0.5 * h[j],
-                weight: s.weight,
-                impedance: s.impedance,
-                stiffness: s.stiffness * unit.powi(2),
-                edge: s.edge,
-            }
-        };
-        let members = patches(&cloud.points[..cloud.particles]);
-        let mut slot = vec![0; cloud.particles];
-        for (k, &a) in members.as_flattened().iter().enumerate().rev() {
-            slot[a as usize] = k as u32;
-        }
-        let parts: Vec<List> = (members.par_iter().with_min_len(64))
-            .map(|m| List::new(cloud, lists, m, real, unit))
+        let points: Vec<Source> = (cloud.source[..real].iter())
+            .map(|&b| source(b as usize))
             .collect();
+        let first: Vec<usize> = (0..cloud.particles).step_by(LANES).collect();
+        let build = |&a: &usize| List::new(cloud, lists, &points, viscosity, a);
+        let parts: Vec<List> = first.par_iter().with_min_len(64).map(build).collect();
+        let size = |s: &Source| [s.area, s.area * s.weight];
         let mut pairs = Self {
-            members,
-            slot,
+            particles: cloud.particles,
             start: vec![0],
-            fixed: (0..real).map(fixed).collect(),
-            viscosity,
+            position: cloud.points[..real].to_vec(),
+            separating: points.iter().map(|s| share(s.edge, viscosity)).collect(),
+            size: points[..cloud.particles].iter().map(size).collect(),
             ..Self::default()
         };
         for part in parts {
+            let mirrored = part
+                .neighbour
+                .partition_point(|&b| (b as usize) < cloud.particles);
+            pairs.beyond.push((pairs.neighbour.len() + mirrored) as u32);
             pairs.neighbour.extend(part.neighbour);
             pairs.gradient.extend(part.gradient);
-            pairs.value.extend(part.value);
+            pairs.stabilisers.extend(part.stabilisers);
             pairs.start.push(pairs.neighbour.len() as u32);
         }
+        pairs.at_edge = (0..pairs.clusters()).map(|c| pairs.is_at_edge(c)).collect();
         pairs
     }
 
     /// Number of clusters.
     pub(super) fn clusters(&self) -> usize {
-        self.members.len()
+        self.particles.div_ceil(LANES)
     }
 
-    /// Cluster and lane of a particle.
-    pub(super) fn slot(&self, a: usize) -> (usize, usize) {
-        let k = self.slot[a] as usize;
-        (k / LANES, k % LANES)
+    fn is_at_edge(&self, cluster: usize) -> bool {
+        let own = (cluster * LANES..self.particles).take(LANES);
+        let others = self.range(cluster).map(|k| self.neighbour(k));
+        own.chain(others).any(|b| self.separating[b] != 0.0)
     }
 
     /// Places in the lists that belong to a cluster.
@@ -156,35 +128,24 @@ impl Pairs {
         self.start[cluster] as usize..self.start[cluster + 1] as usize
     }
 
-    /// The list of a cluster.
+    /// Those of the real neighbours, then those of the mirror images.
     #[inline(always)]
-    pub(super) fn entries(&self, cluster: usize) -> impl Iterator<Item = Entry<'_>> {
-        let range = self.range(cluster);
-        let stored = self.gradient[range.clone()].iter();
-        let stored = stored.zip(&self.value[range.clone()]);
-        (self.neighbour[range].iter().zip(stored)).map(|(&b, (gradient, value))| Entry {
-            neighbour: b as usize,
-            fixed: &self.fixed[b as usize],
-            gradient,
-            value,
-        })
+    pub(super) fn parts(&self, cluster: usize) -> [Range<usize>; 2] {
+        let all = self.range(cluster);
+        let middle = self.beyond[cluster] as usize;
+        [all.start..middle, middle..all.end]
     }
 
-    /// One number of each particle of a cluster.
+    /// Neighbours at places in the lists.
     #[inline(always)]
-    pub(super) fn lanes<S: Simd>(&self, cluster: usize, of: impl Fn(usize) -> f64) -> S {
-        let mut x = [0.0; LANES];
-        for (x, &a) in x.iter_mut().zip(&self.members[cluster]) {
-            *x = of(a as usize);
-        }
-        S::load(&x)
+    pub(super) fn neighbours(&self, places: Range<usize>) -> &[u32] {
+        &self.neighbour[places]
     }
 
     /// Places in the lists where the neighbours of a particle stand.
     pub(super) fn places_of(&self, a: usize) -> impl Iterator<Item = usize> + '_ {
-        let (cluster, lane) = self.slot(a);
-        self.range(cluster)
-            .filter(move |&k| self.gradient[k][lane] != 0.0)
+        self.range(a / LANES)
+            .filter(move |&k| self.gradient[k][a % LANES] != 0.0)
     }
 
     /// Particle or mirror image at a place in the lists.
@@ -194,57 +155,56 @@ impl Pairs {
 
     /// The pair of a particle with the neighbour at a place in the lists.
     pub(super) fn pair(&self, a: usize, place: usize) -> Pair {
-        let (_, lane) = self.slot(a);
-        let (own, other) = (&self.fixed[a], &self.fixed[self.neighbour(place)]);
-        let offset = [0, 1].map(|k| own.position[k] - other.position[k]);
-        let square = offset[0] * offset[0] + offset[1] * offset[1];
-        let there = f64::from(u8::from(own.area != 0.0));
-        let cubed = there * f64::from(self.gradient[place][lane]) * other.area;
-        let mean = there * 0.5 * (1.0 + other.weight / own.weight);
-        let impedance = mean * own.impedance.min(other.impedance);
-        let stiffness = mean * own.stiffness.min(other.stiffness);
-        let edge = own.edge.max(other.edge);
-        let length = own.half_length + other.half_length;
+        let (lane, b) = (a % LANES, self.neighbour(place));
+        let [area, ring] = self.size[a].map(|x| if x == 0.0 { 0.0 } else { 1.0 / x });
+        let [viscous, hourglass] = self.stabilisers[place].map(|s| f64::from(s[lane]) * ring);
         Pair {
-            neighbour: self.neighbour[place],
-            offset,
-            gradient: cubed * square,
-            viscous: edge.max(self.viscosity) * length * cubed * impedance,
-            separating: edge * length * cubed * impedance,
-            hourglass: f64::from(self.value[place][lane]) * other.area * stiffness,
+            neighbour: b as u32,
+            offset: [0, 1].map(|k| self.position[a][k] - self.position[b][k]),
+            gradient: f64::from(self.gradient[place][lane]) * area,
+            viscous,
+            separating: viscous * self.separating[a].max(self.separating[b]),
+            hourglass: 2.0 * hourglass,
         }
     }
 
     /// Number of pairs of all particles.
     pub(super) fn count(&self) -> usize {
-        (0..self.slot.len())
-            .map(|a| self.places_of(a).count())
-            .sum()
+        (0..self.particles).map(|a| self.places_of(a).count()).sum()
     }
 
-    /// Takes the particles marked, and their images, out of all sums.
-    pub(super) fn silence(&mut self, forgotten: &[bool], images: &[Image]) {
-        let (particles, beyond) = self.fixed.split_at_mut(forgotten.len());
-        for (fixed, gone) in particles.iter_mut().zip(forgotten) {
-            if *gone {
-                fixed.area = 0.0;
-            }
-        }
-        for (fixed, image) in beyond.iter_mut().zip(images) {
-            if forgotten[image.source as usize] {
-                fixed.area = 0.0;
+    /// Takes the particles marked, and their images, out of the sums of these clusters.
+    pub(super) fn silence(&mut self, clusters: &[usize], forgotten: &[bool], images: &[Image]) {
+        for &cluster in clusters {
+            for k in self.range(cluster) {
+                let b = self.neighbour(k);
+                let source = match b.checked_sub(self.particles) {
+                    None => b,
+                    Some(image) => images[image].source as usize,
+                };
+                let own = forgotten[cluster * LANES..].iter().take(LANES);
+                for (lane, own) in own.enumerate() {
+                    if *own || forgotten[source] {
+                        self.gradient[k][lane] = 0.0;
+                        self.stabilisers[k][0][lane] = 0.0;
+                        self.stabilisers[k][1][lane] = 0.0;
+                    }
+                }
             }
         }
     }
 }
 
-impl Cloud {
-    /// Smallest smoothing length, m: unit of the stored kernel values.
-    pub(super) fn unit(&self) -> f64 {
-        let h = self.smoothing_length.iter();
-        h.fold(f64::INFINITY, |m: f64, &x| m.min(x))
+/// Viscosity on separation over that on approach.
+fn share(edge: f64, viscosity: f64) -> f64 {
+    if edge == 0.0 {
+        0.0
+    } else {
+        edge / edge.max(viscosity)
     }
+}
 
+impl Cloud {
     /// Square of the distance (m2) and smoothing length (m) of a pair.
     fn distance(&self, a: usize, j: usize) -> (f64, f64) {
         let offset = [0, 1].map(|k| self.points[a][k] - self.points[j][k]);
@@ -253,11 +213,11 @@ impl Cloud {
         (square, h)
     }
 
-    /// (dW/dX)/X of a pair as precise as the stored ones: images on one side of a particle balance neighbours on the other.
-    pub(super) fn gradient_factor(&self, a: usize, j: usize, unit: f64) -> f64 {
+    /// g of a pair of particles with these areas, as precise as the stored ones: images on one side of a particle balance
+    /// neighbours on the other.
+    pub(super) fn stored_gradient(&self, a: usize, j: usize, areas: [f64; 2]) -> f32 {
         let (square, h) = self.distance(a, j);
-        let stored = (kernel::gradient_factor(square.sqrt(), h) / square * unit.powi(6)) as f32;
-        f64::from(stored) * unit.powi(-6) * square
+        (areas[0] * areas[1] * kernel::gradient_factor(square.sqrt(), h)) as f32
     }
 }
 
@@ -265,43 +225,47 @@ impl Cloud {
 struct List {
     neighbour: Vec<u32>,
     gradient: Vec<[f32; LANES]>,
-    value: Vec<[f32; LANES]>,
+    stabilisers: Vec<[[f32; LANES]; 2]>,
 }
 
 impl List {
+    /// `first` is the first particle of the cluster.
     fn new(
         cloud: &Cloud,
         lists: &[Vec<u32>],
-        members: &[u32; LANES],
-        real: usize,
-        unit: f64,
+        points: &[Source],
+        viscosity: f64,
+        first: usize,
     ) -> Self {
-        let all = members.iter().flat_map(|&a| &lists[a as usize]).copied();
-        let mut neighbour: Vec<u32> = all.filter(|&j| (j as usize) < real).collect();
+        let members = first..cloud.particles.min(first + LANES);
+        let all = members.clone().flat_map(|a| &lists[a]).copied();
+        let mut neighbour: Vec<u32> = all.filter(|&j| (j as usize) < points.len()).collect();
         neighbour.sort_unstable();
         neighbour.dedup();
-        let each = |of: fn(f64, f64) -> f64, power: i32| -> Vec<[f32; LANES]> {
-            let lane = |a: u32, j: u32| {
-                if a == j {
-                    0.0
-                } else {
-                    let (square, h) = cloud.distance(a as usize, j as usize);
-                    (of(square.sqrt(), h) / square * unit.powi(power)) as f32
-                }
-            };
-            let of_neighbour = |&j: &u32| members.map(|a| lane(a, j));
-            neighbour.iter().map(of_neighbour).collect()
-        };
-        Self {
-            gradient: each(kernel::gradient_factor, 6),
-            value: each(kernel::value, 4),
+        let mut list = Self {
+            gradient: vec![[0.0; LANES]; neighbour.len()],
+            stabilisers: vec![[[0.0; LANES]; 2]; neighbour.len()],
             neighbour,
+        };
+        for k in 0..list.neighbour.len() {
+            let j = list.neighbour[k] as usize;
+            for a in members.clone().filter(|&a| a != j) {
+                let (one, other) = (&points[a], &points[j]);
+                let (square, h) = cloud.distance(a, j);
+                let areas = one.area * other.area;
+                let ring = 0.5 * (one.weight + other.weight);
+                let alpha = one.edge.max(other.edge).max(viscosity);
+                let impedance = one.impedance.min(other.impedance);
+                let stiffness = one.stiffness.min(other.stiffness);
+                let slope = kernel::gradient_factor(square.sqrt(), h) / square;
+                let value = kernel::value(square.sqrt(), h) / square;
+                let lane = a - first;
+                list.gradient[k][lane] = cloud.stored_gradient(a, j, [one.area, other.area]);
+                list.stabilisers[k][0][lane] =
+                    (areas * slope * (alpha * h * impedance * ring)) as f32;
+                list.stabilisers[k][1][lane] = (0.5 * areas * value * (stiffness * ring)) as f32;
+            }
         }
+        list
     }
-}
-
-/// Particles in compact patches of [`LANES`]; the last one is filled up with its last particle.
-fn patches(position: &[Vec2]) -> Vec<[u32; LANES]> {
-    let patch = |c: &[u32]| std::array::from_fn(|k| c[k.min(c.len() - 1)]);
-    patches::order(position).chunks(LANES).map(patch).collect()
 }

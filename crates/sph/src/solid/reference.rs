@@ -7,17 +7,17 @@
 use super::block::{Block, Reflection, Side};
 use super::images::Image;
 use super::layers::Materials;
-use super::mat2::{Mat2, UNIT, determinant, inverse};
+use super::layout::Layout;
+use super::mat2::Mat2;
+use super::own::Own;
 use super::pairs::{Pair, Pairs, Source};
 use super::search::Cloud;
 use super::{Numerics, SolidError};
 use crate::geometry::{Geometry, Vec2};
+use crate::simd::LANES;
 
 /// Particles no deeper than this many spacings under a face are its first row.
 pub(super) const FIRST_ROW: f64 = 0.75;
-
-/// Smallest determinant of a moment matrix that spans a gradient; 1 inside.
-const LEAST_MOMENT: f64 = 0.01;
 
 /// One open image that acts on a particle.
 #[derive(Debug, Clone, Copy)]
@@ -50,6 +50,8 @@ pub struct Reference {
     /// Number of renewals, see `renewal.rs`.
     pub(super) renewals: u32,
     pub(super) first_area: Vec<f64>,
+    /// Time in which a longitudinal wave crosses the first spacing, s.
+    pub(super) crossing: Vec<f64>,
     pub(super) first_smoothing_length: Vec<f64>,
     /// R in axisymmetry, 1 in plane strain.
     pub(super) weight: Vec<f64>,
@@ -64,50 +66,9 @@ pub struct Reference {
     /// Particles taken out of all sums, see `failure.rs`.
     pub(super) forgotten: Vec<bool>,
     pub(super) pairs: Pairs,
+    pub(super) own: Own,
     open_start: Vec<u32>,
     open_pairs: Vec<OpenPair>,
-}
-
-/// What a reference configuration is built from.
-pub(super) struct Layout {
-    pub(super) position: Vec<Vec2>,
-    pub(super) area: Vec<f64>,
-    pub(super) smoothing_length: Vec<f64>,
-    pub(super) mass: Vec<f64>,
-    pub(super) renewals: u32,
-    pub(super) volume_ratio: Vec<f64>,
-    pub(super) first_area: Vec<f64>,
-    pub(super) first_smoothing_length: Vec<f64>,
-    pub(super) forgotten: Vec<bool>,
-}
-
-impl Layout {
-    /// The first configuration.
-    pub(super) fn first(
-        geometry: Geometry,
-        materials: Materials,
-        numerics: &Numerics,
-        position: Vec<Vec2>,
-        area: Vec<f64>,
-    ) -> Self {
-        let volume = position.iter().zip(&area);
-        let volume = volume.map(|(x, a)| a * geometry.ring(x[0]));
-        let h = area.iter().map(|a| numerics.smoothing_ratio * a.sqrt());
-        let h: Vec<f64> = h.collect();
-        Self {
-            mass: (volume.enumerate())
-                .map(|(a, v)| v * materials.of(a).density)
-                .collect(),
-            renewals: 0,
-            volume_ratio: vec![1.0; position.len()],
-            first_area: area.clone(),
-            first_smoothing_length: h.clone(),
-            forgotten: vec![false; position.len()],
-            smoothing_length: h,
-            position,
-            area,
-        }
-    }
 }
 
 impl Reference {
@@ -121,6 +82,10 @@ impl Reference {
         let axisymmetric = geometry == Geometry::Axisymmetric;
         let (position, h) = (layout.position, layout.smoothing_length);
         let open = layout.renewals == 0;
+        let speed = |a: usize| {
+            let material = materials.of(a);
+            material.elastic.longitudinal_speed(material.density)
+        };
         let (cloud, lists) = Cloud::with_neighbours(block, &position, &h, open);
         let mut reference = Self {
             weight: position
@@ -136,6 +101,9 @@ impl Reference {
             mass: layout.mass,
             volume_ratio: layout.volume_ratio,
             renewals: layout.renewals,
+            crossing: (layout.first_area.iter().enumerate())
+                .map(|(a, area)| area.sqrt() / speed(a))
+                .collect(),
             first_area: layout.first_area,
             first_smoothing_length: layout.first_smoothing_length,
             smoothing_length: h,
@@ -147,14 +115,14 @@ impl Reference {
             imbalance: vec![[0.0; 2]; position.len()],
             forgotten: layout.forgotten,
             pairs: Pairs::default(),
+            own: Own::default(),
             open_start: vec![0],
             open_pairs: Vec::new(),
             position,
             area: layout.area,
         };
-        let unit = cloud.unit();
         for (a, list) in lists.iter().enumerate() {
-            reference.add_open_pairs(a, list, &cloud, unit);
+            reference.add_open_pairs(a, list, &cloud);
         }
         reference.pairs = Pairs::new(&cloud, &lists, numerics.viscosity, |b| {
             reference.source_of_pairs(block, numerics, materials, b)
@@ -162,7 +130,14 @@ impl Reference {
         reference.mirror_images = cloud.mirror_images;
         reference.open_images = cloud.open_images;
         reference.correct()?;
+        reference.own = Own::of(&reference);
         Ok(reference)
+    }
+
+    /// Sets what uniform stress leaves in the forces.
+    pub(super) fn balance(&mut self, imbalance: Vec<Vec2>) {
+        self.imbalance = imbalance;
+        self.own = Own::of(self);
     }
 
     /// Real neighbours and mirror images of a particle.
@@ -200,9 +175,19 @@ impl Reference {
         }
     }
 
-    /// Takes the forgotten particles out of the sums over real particles and mirror images.
-    pub(super) fn silence_forgotten(&mut self) {
-        self.pairs.silence(&self.forgotten, &self.mirror_images);
+    /// Takes the forgotten particles out of the sums over real particles and mirror images near these ones.
+    pub(super) fn silence_near(&mut self, near: &[usize]) {
+        let clusters = clusters_of(near);
+        (self.pairs).silence(&clusters, &self.forgotten, &self.mirror_images);
+    }
+
+    /// Brings what sums need up to changed pairs and corrections of these particles.
+    pub(super) fn settle(&mut self, changed: &[usize]) {
+        let mut own = std::mem::take(&mut self.own);
+        for cluster in clusters_of(changed) {
+            own.settle(self, cluster);
+        }
+        self.own = own;
     }
 
     /// Sets the coefficients of all open pairs of a particle with forgotten ones to zero; of all of them if it is one.
@@ -215,26 +200,8 @@ impl Reference {
         }
     }
 
-    /// Corrects the gradients of a particle that lost neighbours; false if those left do not span one.
-    pub(super) fn correct_again(&mut self, a: usize) -> bool {
-        let mut moment = [[0.0; 2]; 2];
-        for p in self.pairs_of(a) {
-            add_moment(&mut moment, p.offset, p.gradient);
-        }
-        if determinant(&moment) <= LEAST_MOMENT {
-            return false;
-        }
-        self.own_correction[a] = inverse(&moment);
-        for p in self.open_pairs_of(a) {
-            add_moment(&mut moment, p.offset, p.gradient);
-        }
-        self.full_correction[a] = inverse(&moment);
-        self.imbalance[a] = [0.0; 2];
-        true
-    }
-
     /// Lists the open images that act on a particle; `list` are its neighbours.
-    fn add_open_pairs(&mut self, a: usize, list: &[u32], cloud: &Cloud, unit: f64) {
+    fn add_open_pairs(&mut self, a: usize, list: &[u32], cloud: &Cloud) {
         let first_open = cloud.particles + cloud.mirror_images.len();
         for j in list
             .iter()
@@ -243,11 +210,12 @@ impl Reference {
         {
             let source = cloud.source[j] as usize;
             let gone = self.forgotten[a] || self.forgotten[source];
-            let area = if gone { 0.0 } else { self.area[source] };
+            let stored = cloud.stored_gradient(a, j, [self.area[a], self.area[source]]);
+            let gradient = f64::from(stored) / self.area[a];
             self.open_pairs.push(OpenPair {
                 image: (j - first_open) as u32,
                 offset: [0, 1].map(|k| self.position[a][k] - cloud.points[j][k]),
-                gradient: area * cloud.gradient_factor(a, j, unit),
+                gradient: if gone { 0.0 } else { gradient },
             });
         }
         self.open_start.push(self.open_pairs.len() as u32);
@@ -284,47 +252,12 @@ impl Reference {
                     && block.depth(side, self.position[a]) < FIRST_ROW * self.area[a].sqrt()
             })
     }
-
-    fn correct(&mut self) -> Result<(), SolidError> {
-        for a in 0..self.position.len() {
-            if self.forgotten[a] {
-                self.own_correction.push(UNIT);
-                self.full_correction.push(UNIT);
-                continue;
-            }
-            let mut moment = [[0.0; 2]; 2];
-            for p in self.pairs_of(a) {
-                add_moment(&mut moment, p.offset, p.gradient);
-            }
-            let own = self.checked_inverse(a, &moment)?;
-            for p in self.open_pairs_of(a) {
-                add_moment(&mut moment, p.offset, p.gradient);
-            }
-            let full = self.checked_inverse(a, &moment)?;
-            self.own_correction.push(own);
-            self.full_correction.push(full);
-        }
-        Ok(())
-    }
-
-    /// A moment is near the unit matrix inside and near half of it at a free edge, a quarter in a free corner.
-    fn checked_inverse(&self, a: usize, moment: &Mat2) -> Result<Mat2, SolidError> {
-        if determinant(moment) > LEAST_MOMENT {
-            Ok(inverse(moment))
-        } else {
-            Err(SolidError::TooFewNeighbours {
-                particle: a,
-                position: self.position[a],
-                neighbours: self.pairs_of(a).count(),
-            })
-        }
-    }
 }
 
-fn add_moment(moment: &mut Mat2, offset: Vec2, gradient: f64) {
-    for i in 0..2 {
-        for j in 0..2 {
-            moment[i][j] -= offset[i] * offset[j] * gradient;
-        }
-    }
+/// Clusters of these particles, ascending.
+fn clusters_of(particles: &[usize]) -> Vec<usize> {
+    let mut clusters: Vec<usize> = particles.iter().map(|a| a / LANES).collect();
+    clusters.sort_unstable();
+    clusters.dedup();
+    clusters
 }

@@ -15,8 +15,9 @@
 //! when neighbours slide past each other. It does not undo anisotropy: cost grows with the stretch (h).
 
 use super::layers::Materials;
-use super::mat2::{Mat2, UNIT, determinant, largest_stretch, product, smallest_stretch};
-use super::reference::{Layout, Reference};
+use super::layout::Layout;
+use super::mat2::{Mat2, UNIT, largest_stretch, product, smallest_stretch};
+use super::reference::Reference;
 use super::{Face, Formulation, Side, Solid, SolidError, force};
 use crate::geometry::Vec2;
 use serde::{Deserialize, Serialize};
@@ -153,31 +154,5 @@ impl Solid {
             );
         }
         Ok(())
-    }
-}
-
-impl Layout {
-    /// Areas and smoothing lengths of a renewed reference.
-    fn renewed(base: &Base, old: &Reference, removed: &[f64]) -> Self {
-        let n = base.position.len();
-        let area = (0..n)
-            .map(|a| old.first_area[a] * determinant(&base.deformation[a]))
-            .collect();
-        let smoothing_length = (0..n)
-            .map(|a| old.first_smoothing_length[a] * largest_stretch(&base.deformation[a]))
-            .collect();
-        Self {
-            position: base.position.clone(),
-            area,
-            smoothing_length,
-            mass: old.mass.clone(),
-            renewals: base.renewals,
-            volume_ratio: (0..n)
-                .map(|a| determinant(&base.deformation[a]) * base.hoop_stretch[a])
-                .collect(),
-            first_area: old.first_area.clone(),
-            first_smoothing_length: old.first_smoothing_length.clone(),
-            forgotten: removed.iter().map(|r| *r != 0.0).collect(),
-        }
     }
 }

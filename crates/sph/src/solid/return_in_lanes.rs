@@ -67,29 +67,36 @@ impl YieldStress {
         }
     }
 
+    /// No yield stress without softening is lower, Pa.
+    fn least(&self) -> f64 {
+        if self.b >= 0.0 { self.a } else { 0.0 }
+    }
+
     /// Yield stress at no rate, without softening, Pa.
     #[inline(always)]
     fn at_rest<S: Simd>(&self, strain: S) -> S {
         S::splat(self.a) + self.hardening(strain)
     }
 
-    /// Yield stress without softening (Pa), and its derivative by an increment of strain within `dt`.
+    /// Yield stress without softening (Pa), and numerator and denominator of its derivative by an increment of strain within
+    /// `dt`.
     #[inline(always)]
-    fn with_slope<S: Simd>(&self, strain: S, increment: S, dt: S) -> (S, S) {
+    fn with_slope<S: Simd>(&self, strain: S, increment: S, dt: S) -> (S, [S; 2]) {
         let (zero, one) = (S::splat(0.0), S::splat(1.0));
         let hardening = self.hardening(strain);
         let base = S::splat(self.a) + hardening;
-        let by_strain = S::splat(self.n) * hardening / strain.max(S::splat(LEAST_STRAIN));
+        let by_strain = S::splat(self.n) * hardening * increment;
         if self.c == 0.0 {
-            return (base, by_strain);
+            return (base, [by_strain, strain * increment]);
         }
         let ratio = increment / (dt * S::splat(self.reference_rate));
         let fast = one.lt(ratio);
         let ratio = S::select(fast, ratio, one);
         let factor = S::splat(self.c).mul_add(ln(ratio), one);
-        // C (A + B e^n)/(rate dt).
-        let by_rate = S::select(fast, S::splat(self.c) * base / increment, zero);
-        (base * factor, by_strain.mul_add(factor, by_rate))
+        // n B e^n/e times the factor of the rate, and C (A + B e^n)/(rate dt).
+        let by_rate = S::select(fast, S::splat(self.c) * base * strain, zero);
+        let slope = by_strain.mul_add(factor, by_rate);
+        (base * factor, [slope, strain * increment])
     }
 }
 
@@ -127,6 +134,10 @@ impl<S: Simd> Trial<S> {
             unsolved: !self.usable(),
         };
         let Some(law) = law else { return elastic };
+        let least = S::splat(law.least()) * self.softening;
+        if S::bits(least.lt(self.stress)) & !elastic.unsolved == 0 {
+            return elastic;
+        }
         let start = law.at_rest(self.plastic_strain) * self.softening;
         let yields = start.lt(self.stress);
         let plastic = S::bits(yields) & !elastic.unsolved;
@@ -176,7 +187,8 @@ impl<S: Simd> Trial<S> {
             let below = zero.lt(f);
             low = S::select(below, d, low);
             high = S::select(below, high, d);
-            let newton = d + f / slope.mul_add(self.softening, three_g);
+            let [slope, per] = slope;
+            let newton = d + f * per / slope.mul_add(self.softening, three_g * per);
             let next = S::select(low.lt(newton), newton.min(high), half * (low + high));
             d = S::select(done, d, next);
         }

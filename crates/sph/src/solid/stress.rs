@@ -10,22 +10,21 @@
 //! The rate is written for tau because tau:C^-1:tau/2 per reference volume is then exactly the stored energy.
 //! Units: SI, stress positive in tension. Range: finite rotation, moderate stretch (J > 0).
 
-use super::mat2::{Mat2, UNIT, combine, inverse, product};
+use super::mat2::{Mat2, product};
 use super::reference::Reference;
-use super::sums::{self, Matrices};
+use super::sums::Field;
 use super::{Formulation, Solid, SolidError};
-use crate::geometry::Vec2;
 use erode_physics::return_mapping::ReturnError;
 
 /// Particles per task: large enough to hide the cost of a task.
 pub(super) const TASK: usize = 256;
 
 /// Gradient sum A_b (f_b - f_a) (x) L_own grad W of a vector known at particles and mirror images.
-pub(super) fn gradient(reference: &Reference, field: &[Vec2], a: usize) -> Mat2 {
-    let f = field[a];
+pub(super) fn gradient(reference: &Reference, field: &Field, a: usize) -> Mat2 {
+    let f = field.at(a);
     let mut m = [[0.0; 2]; 2];
     for p in reference.pairs_of(a) {
-        let other = field[p.neighbour as usize];
+        let other = field.at(p.neighbour as usize);
         let d = [other[0] - f[0], other[1] - f[1]];
         let g = [p.offset[0] * p.gradient, p.offset[1] * p.gradient];
         m[0][0] += d[0] * g[0];
@@ -34,21 +33,6 @@ pub(super) fn gradient(reference: &Reference, field: &[Vec2], a: usize) -> Mat2 
         m[1][1] += d[1] * g[1];
     }
     product(&m, &reference.own_correction[a])
-}
-
-/// The same from the sums over all pairs.
-pub(super) fn summed(reference: &Reference, sums: &[Matrices], a: usize) -> Mat2 {
-    let (cluster, lane) = reference.pairs.slot(a);
-    let m = sums[cluster].map(|m| m[lane]);
-    product(&[[m[0], m[1]], [m[2], m[3]]], &reference.own_correction[a])
-}
-
-/// Deformation gradient after `dt` with velocity gradient l: (I - l dt/2) F' = (I + l dt/2) F, for which the strain and spin
-/// of [`increment`] are those of l dt exactly.
-pub(super) fn advanced(old: &Mat2, l: &Mat2, dt: f64) -> Mat2 {
-    let forward = combine(&UNIT, 1.0, l, 0.5 * dt);
-    let backward = combine(&UNIT, 1.0, l, -0.5 * dt);
-    product(&inverse(&backward), &product(&forward, old))
 }
 
 /// Why the stress of a particle could not be updated.
@@ -70,12 +54,7 @@ impl Solid {
         self.check_free_faces()?;
         let form = self.numerics.formulation;
         match form {
-            Formulation::TotalLagrangian => {
-                self.place_images();
-                let scratch = &mut self.scratch;
-                let pairs = &self.reference.pairs;
-                sums::gradients(pairs, &scratch.position, &mut scratch.gradients);
-            }
+            Formulation::TotalLagrangian => self.place_images(),
             Formulation::Joshi(_) => self.velocity_gradients(),
         }
         let failed = self.update_points(dt);

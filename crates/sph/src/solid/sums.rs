@@ -1,198 +1,84 @@
-//! The two sums over stored pairs, eight particles at a time (the layout: `pairs.rs`; the formulas: `stress.rs`, `force.rs`).
+//! The two sums over stored pairs, eight particles at a time (what is stored: `pairs.rs`; the formulas: `stress.rs`, `force.rs`).
+//!
+//! What depends on the particle itself alone is taken out of the sums where nothing is lost by it (`own.rs`).
 
 use super::mat2::Mat2;
-use super::pairs::{Entry, Pairs};
+use super::pairs::Pairs;
 use crate::geometry::Vec2;
-use crate::simd::{self, LANES, Simd, Task};
-use rayon::prelude::*;
+use crate::simd::{LANES, Simd};
+use std::ops::Range;
 
-/// Clusters per task: large enough to hide the cost of a task.
-const CLUSTERS: usize = 32;
+/// A vector known at particles and at mirror images.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Field<'a> {
+    pub(super) particles: &'a [Vec2],
+    pub(super) images: &'a [Vec2],
+}
 
-/// A 2x2 matrix of each particle of a cluster, rows first.
-pub(super) type Matrices = [[f64; LANES]; 4];
+impl Field<'_> {
+    /// At a particle or, counted on, an image.
+    pub(super) fn at(&self, b: usize) -> Vec2 {
+        match b.checked_sub(self.particles.len()) {
+            None => self.particles[b],
+            Some(image) => self.images[image],
+        }
+    }
+}
 
-/// What moves: one entry per particle, then per mirror image.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Moving {
+/// What moves, of particles or of images.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moving<'a> {
     /// Position, m.
-    pub(super) position: Vec2,
+    pub(super) position: &'a [Vec2],
     /// Velocity, m/s.
-    pub(super) velocity: Vec2,
-    /// Half the deformation gradient.
-    pub(super) half_deformation: Mat2,
-    /// R P L.
-    pub(super) flux: Mat2,
-}
-
-/// Sums of the accelerations of a cluster: force of the stress sum_b A_b (R_a P_a L_a + R_b P_b L_b) grad W, then viscous and
-/// hourglass acceleration times two densities.
-pub(super) type Forces = [[f64; LANES]; 6];
-
-/// sum A_b (f_b - f_a) (x) grad W, without correction, of a field known at particles and mirror images.
-pub(super) fn gradients(pairs: &Pairs, field: &[Vec2], result: &mut Vec<Matrices>) {
-    result.resize(pairs.clusters(), [[0.0; LANES]; 4]);
-    (result.par_chunks_mut(CLUSTERS).enumerate()).for_each(|(task, result)| {
-        simd::run(Gradients {
-            pairs,
-            field,
-            first: task * CLUSTERS,
-            result,
-        });
-    });
-}
-
-/// The sums of [`Forces`].
-pub(super) fn forces(pairs: &Pairs, moving: &[Moving], result: &mut Vec<Forces>) {
-    result.resize(pairs.clusters(), [[0.0; LANES]; 6]);
-    (result.par_chunks_mut(CLUSTERS).enumerate()).for_each(|(task, result)| {
-        simd::run(ForceSums {
-            pairs,
-            moving,
-            first: task * CLUSTERS,
-            result,
-        });
-    });
-}
-
-struct Gradients<'a> {
-    pairs: &'a Pairs,
-    field: &'a [Vec2],
-    first: usize,
-    result: &'a mut [Matrices],
-}
-
-impl Task for Gradients<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        for (k, result) in self.result.iter_mut().enumerate() {
-            *result = store(gradient::<S>(self.pairs, self.field, self.first + k));
-        }
-    }
-}
-
-#[inline(always)]
-fn gradient<S: Simd>(pairs: &Pairs, field: &[Vec2], cluster: usize) -> [S; 4] {
-    let place = place::<S>(pairs, cluster);
-    let own: [S; 2] = [
-        pairs.lanes(cluster, |a| field[a][0]),
-        pairs.lanes(cluster, |a| field[a][1]),
-    ];
-    let mut m = [S::splat(0.0); 4];
-    for entry in pairs.entries(cluster) {
-        let (_, gw) = offset_and_gradient(place, &entry);
-        let other = field[entry.neighbour];
-        let d = [S::splat(other[0]) - own[0], S::splat(other[1]) - own[1]];
-        m = [
-            d[0].mul_add(gw[0], m[0]),
-            d[0].mul_add(gw[1], m[1]),
-            d[1].mul_add(gw[0], m[2]),
-            d[1].mul_add(gw[1], m[3]),
-        ];
-    }
-    m
-}
-
-/// X_a - X_b with A_b (dW/dX)/X^3, and A_b grad_a W.
-#[inline(always)]
-fn offset_and_gradient<S: Simd>(place: [S; 2], entry: &Entry) -> (([S; 2], S), [S; 2]) {
-    let x = minus(place, entry.fixed.position);
-    let square = x[0].mul_add(x[0], x[1] * x[1]);
-    let cubed = S::load_single(entry.gradient) * S::splat(entry.fixed.area);
-    let factor = cubed * square;
-    ((x, cubed), [factor * x[0], factor * x[1]])
-}
-
-struct ForceSums<'a> {
-    pairs: &'a Pairs,
-    moving: &'a [Moving],
-    first: usize,
-    result: &'a mut [Forces],
-}
-
-impl Task for ForceSums<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Simd>(self) {
-        for (k, result) in self.result.iter_mut().enumerate() {
-            *result = store(force::<S>(self.pairs, self.moving, self.first + k));
-        }
-    }
-}
-
-/// What the pairs of a cluster need of its own particles.
-struct Own<S> {
-    place: [S; 2],
-    position: [S; 2],
-    velocity: [S; 2],
-    half_deformation: [S; 4],
-    flux: [S; 4],
-    half_length: S,
-    edge: S,
-    impedance: S,
-    stiffness: S,
-    /// 1/R.
-    inverse_weight: S,
-}
-
-impl<S: Simd> Own<S> {
-    #[inline(always)]
-    fn new(pairs: &Pairs, moving: &[Moving], cluster: usize) -> Self {
-        let fixed = &pairs.fixed;
-        Self {
-            place: place(pairs, cluster),
-            position: [
-                pairs.lanes(cluster, |a| moving[a].position[0]),
-                pairs.lanes(cluster, |a| moving[a].position[1]),
-            ],
-            velocity: [
-                pairs.lanes(cluster, |a| moving[a].velocity[0]),
-                pairs.lanes(cluster, |a| moving[a].velocity[1]),
-            ],
-            half_deformation: matrix(pairs, cluster, |a| &moving[a].half_deformation),
-            flux: matrix(pairs, cluster, |a| &moving[a].flux),
-            half_length: pairs.lanes(cluster, |a| fixed[a].half_length),
-            edge: pairs.lanes(cluster, |a| fixed[a].edge),
-            impedance: pairs.lanes(cluster, |a| fixed[a].impedance),
-            stiffness: pairs.lanes(cluster, |a| fixed[a].stiffness),
-            inverse_weight: S::splat(1.0) / pairs.lanes(cluster, |a| fixed[a].weight),
-        }
-    }
-
-    /// (1 + R_b/R_a) min(Z_a, Z_b) and the same of the stiffness: twice the weights of the stabilisers.
-    #[inline(always)]
-    fn weights(&self, entry: &Entry) -> (S, S) {
-        let by_ring = S::splat(entry.fixed.weight).mul_add(self.inverse_weight, S::splat(1.0));
-        (
-            by_ring * self.impedance.min(S::splat(entry.fixed.impedance)),
-            by_ring * self.stiffness.min(S::splat(entry.fixed.stiffness)),
-        )
-    }
+    pub(super) velocity: &'a [Vec2],
+    /// Deformation gradient.
+    pub(super) deformation: &'a [Mat2],
+    /// Q = R P L.
+    pub(super) flux: &'a [Mat2],
 }
 
 // In lanes arrays are written out: what `map` calls may stay outside of the instructions that `simd::run` turns on.
 
-/// Reference positions of the particles of a cluster.
+/// One number of each particle of a cluster of `count`; the last one's again where there are fewer than eight.
 #[inline(always)]
-fn place<S: Simd>(pairs: &Pairs, cluster: usize) -> [S; 2] {
+pub(super) fn lanes<S: Simd>(cluster: usize, count: usize, of: impl Fn(usize) -> f64) -> S {
+    let mut x = [0.0; LANES];
+    let first = cluster * LANES;
+    for (l, x) in x.iter_mut().enumerate() {
+        *x = of(first + if count == LANES { l } else { l.min(count - 1) });
+    }
+    S::load(&x)
+}
+
+/// Vectors of the particles of a cluster.
+#[inline(always)]
+pub(super) fn vectors<S: Simd>(all: &[Vec2], cluster: usize) -> [S; 2] {
+    let (own, count) = eight(all, cluster);
     [
-        pairs.lanes(cluster, |a| pairs.fixed[a].position[0]),
-        pairs.lanes(cluster, |a| pairs.fixed[a].position[1]),
+        lanes(0, count, |a| own[a][0]),
+        lanes(0, count, |a| own[a][1]),
     ]
 }
 
-/// A matrix of each particle of a cluster, rows first.
+/// Matrices of the particles of a cluster, rows first.
 #[inline(always)]
-fn matrix<'a, S: Simd>(pairs: &Pairs, cluster: usize, of: impl Fn(usize) -> &'a Mat2) -> [S; 4] {
+pub(super) fn matrices<S: Simd>(all: &[Mat2], cluster: usize) -> [S; 4] {
+    let (own, count) = eight(all, cluster);
     [
-        pairs.lanes(cluster, |a| of(a)[0][0]),
-        pairs.lanes(cluster, |a| of(a)[0][1]),
-        pairs.lanes(cluster, |a| of(a)[1][0]),
-        pairs.lanes(cluster, |a| of(a)[1][1]),
+        lanes(0, count, |a| own[a][0][0]),
+        lanes(0, count, |a| own[a][0][1]),
+        lanes(0, count, |a| own[a][1][0]),
+        lanes(0, count, |a| own[a][1][1]),
     ]
+}
+
+/// The particles of a cluster and their number.
+#[inline(always)]
+pub(super) fn eight<T>(all: &[T], cluster: usize) -> (&[T], usize) {
+    let own = &all[cluster * LANES..];
+    let count = own.len().min(LANES);
+    (&own[..count], count)
 }
 
 #[inline(always)]
@@ -200,57 +86,168 @@ fn minus<S: Simd>(own: [S; 2], other: Vec2) -> [S; 2] {
     [own[0] - S::splat(other[0]), own[1] - S::splat(other[1])]
 }
 
-/// A row of the sum of two matrices.
 #[inline(always)]
-fn plus<S: Simd>(own: &[S; 4], row: usize, other: &Mat2) -> [S; 2] {
-    [
-        own[2 * row] + S::splat(other[row][0]),
-        own[2 * row + 1] + S::splat(other[row][1]),
-    ]
+fn times<S: Simd>(v: [S; 2], factor: S) -> [S; 2] {
+    [v[0] * factor, v[1] * factor]
 }
 
+/// A pair in lanes: X_a - X_b, and that times g.
 #[inline(always)]
-fn store<S: Simd, const N: usize>(lanes: [S; N]) -> [[f64; LANES]; N] {
-    let mut numbers = [[0.0; LANES]; N];
-    for (numbers, lanes) in numbers.iter_mut().zip(lanes) {
-        *numbers = lanes.store();
+fn offset<S: Simd>(place: [S; 2], other: Vec2, gradient: &[f32; LANES]) -> ([S; 2], [S; 2]) {
+    let x = minus(place, other);
+    (x, times(x, S::load_single(gradient)))
+}
+
+/// sum g (f_b - f_a) (x) X.
+#[inline(always)]
+pub(super) fn gradient<S: Simd>(pairs: &Pairs, field: &Field, cluster: usize) -> [S; 4] {
+    let place = vectors(&pairs.position, cluster);
+    let own = vectors(field.particles, cluster);
+    let n = field.particles.len();
+    let (real, mirrored) = pairs.position.split_at(n);
+    let [within, beyond] = pairs.parts(cluster);
+    let mut m = [S::splat(0.0); 4];
+    add_gradients(
+        pairs,
+        within,
+        (0, real, field.particles),
+        (place, own),
+        &mut m,
+    );
+    if !beyond.is_empty() {
+        add_gradients(
+            pairs,
+            beyond,
+            (n, mirrored, field.images),
+            (place, own),
+            &mut m,
+        );
     }
-    numbers
+    m
+}
+
+/// Adds the neighbours at some places in the lists: the first of their kind, their reference positions and field.
+#[inline(always)]
+fn add_gradients<S: Simd>(
+    pairs: &Pairs,
+    places: Range<usize>,
+    (first, position, field): (usize, &[Vec2], &[Vec2]),
+    (place, own): ([S; 2], [S; 2]),
+    m: &mut [S; 4],
+) {
+    let field = &field[..position.len()];
+    let neighbours = pairs.neighbours(places.clone());
+    for (&b, g) in neighbours.iter().zip(&pairs.gradient[places]) {
+        let b = b as usize - first;
+        let (_, g) = offset(place, position[b], g);
+        let d = [
+            S::splat(field[b][0]) - own[0],
+            S::splat(field[b][1]) - own[1],
+        ];
+        m[0] = d[0].mul_add(g[0], m[0]);
+        m[1] = d[0].mul_add(g[1], m[1]);
+        m[2] = d[1].mul_add(g[0], m[2]);
+        m[3] = d[1].mul_add(g[1], m[3]);
+    }
+}
+
+/// The sums of the force: sum g Q_b X, sum v min(v.x, 0) x, sum e (F_b X - 2 x).
+pub(super) struct Forces<S> {
+    pub(super) stress: [S; 2],
+    pub(super) viscous: [S; 2],
+    pub(super) hourglass: [S; 2],
+}
+
+/// Particles of a cluster as they are.
+struct Own<S> {
+    place: [S; 2],
+    position: [S; 2],
+    velocity: [S; 2],
+    /// Viscosity on separation over that on approach.
+    separating: S,
 }
 
 #[inline(always)]
-fn force<S: Simd>(pairs: &Pairs, moving: &[Moving], cluster: usize) -> [S; 6] {
-    let own = Own::<S>::new(pairs, moving, cluster);
-    let viscosity = S::splat(pairs.viscosity);
-    let zero = S::splat(0.0);
-    let (mut stress, mut viscous, mut hourglass) = ([zero; 2], [zero; 2], [zero; 2]);
-    for entry in pairs.entries(cluster) {
-        let other = &moving[entry.neighbour];
-        let ((x, cubed), gw) = offset_and_gradient(own.place, &entry);
-        let d = minus(own.position, other.position);
-        let v = minus(own.velocity, other.velocity);
-        let (impedance, stiffness) = own.weights(&entry);
+pub(super) fn forces<S: Simd>(
+    pairs: &Pairs,
+    particles: &Moving,
+    images: &Moving,
+    cluster: usize,
+) -> Forces<S> {
+    if pairs.at_edge[cluster] {
+        forces_of::<S, true>(pairs, particles, images, cluster)
+    } else {
+        forces_of::<S, false>(pairs, particles, images, cluster)
+    }
+}
+
+#[inline(always)]
+fn forces_of<S: Simd, const EDGE: bool>(
+    pairs: &Pairs,
+    particles: &Moving,
+    images: &Moving,
+    cluster: usize,
+) -> Forces<S> {
+    let n = particles.position.len();
+    let (_, count) = eight(particles.position, cluster);
+    let own = Own {
+        place: vectors(&pairs.position, cluster),
+        position: vectors(particles.position, cluster),
+        velocity: vectors(particles.velocity, cluster),
+        separating: lanes(cluster, count, |a| pairs.separating[a]),
+    };
+    let zero = [S::splat(0.0); 2];
+    let mut sums = Forces {
+        stress: zero,
+        viscous: zero,
+        hourglass: zero,
+    };
+    let [within, beyond] = pairs.parts(cluster);
+    add_forces::<S, EDGE>(pairs, within, (0, particles), &own, &mut sums);
+    if !beyond.is_empty() {
+        add_forces::<S, EDGE>(pairs, beyond, (n, images), &own, &mut sums);
+    }
+    sums
+}
+
+/// Adds the neighbours at some places in the lists, particles or images, the first of which is given.
+#[inline(always)]
+fn add_forces<S: Simd, const EDGE: bool>(
+    pairs: &Pairs,
+    places: Range<usize>,
+    (first, others): (usize, &Moving),
+    own: &Own<S>,
+    sums: &mut Forces<S>,
+) {
+    let n = others.position.len();
+    let (position, velocity) = (others.position, &others.velocity[..n]);
+    let (deformation, flux) = (&others.deformation[..n], &others.flux[..n]);
+    let place = &pairs.position[first..][..n];
+    let separating = &pairs.separating[first..][..n];
+    let (zero, one, two) = (S::splat(0.0), S::splat(1.0), S::splat(2.0));
+    let stored = (pairs.gradient[places.clone()].iter()).zip(&pairs.stabilisers[places.clone()]);
+    for (&b, (g, [viscous, stiffness])) in pairs.neighbours(places).iter().zip(stored) {
+        let b = b as usize - first;
+        let (x, g) = offset(own.place, place[b], g);
+        let d = minus(own.position, position[b]);
+        let v = minus(own.velocity, velocity[b]);
         let along = v[0].mul_add(d[0], v[1] * d[1]);
-        let edge = own.edge.max(S::splat(entry.fixed.edge));
-        let alpha = S::select(along.lt(zero), edge.max(viscosity), edge);
-        let length = own.half_length + S::splat(entry.fixed.half_length);
-        let approach = alpha * length * (cubed * impedance) * along;
-        let stiffness = S::load_single(entry.value) * S::splat(entry.fixed.area) * stiffness;
+        let acting = if EDGE {
+            let parting = own.separating.max(S::splat(separating[b]));
+            along * S::select(along.lt(zero), one, parting)
+        } else {
+            along.min(zero)
+        };
+        let approach = acting * S::load_single(viscous);
+        let stiffness = S::load_single(stiffness);
         for i in 0..2 {
-            let q = plus(&own.flux, i, &other.flux);
-            let f = plus(&own.half_deformation, i, &other.half_deformation);
-            stress[i] = q[0].mul_add(gw[0], q[1].mul_add(gw[1], stress[i]));
-            viscous[i] = approach.mul_add(d[i], viscous[i]);
-            let linear = f[0].mul_add(x[0], f[1].mul_add(x[1], -d[i]));
-            hourglass[i] = stiffness.mul_add(linear, hourglass[i]);
+            let (q, f) = (flux[b][i], deformation[b][i]);
+            sums.stress[i] = g[0].mul_add(S::splat(q[0]), sums.stress[i]);
+            sums.stress[i] = g[1].mul_add(S::splat(q[1]), sums.stress[i]);
+            sums.viscous[i] = approach.mul_add(d[i], sums.viscous[i]);
+            let linear = x[1].mul_add(S::splat(f[1]), d[i] * -two);
+            let linear = x[0].mul_add(S::splat(f[0]), linear);
+            sums.hourglass[i] = stiffness.mul_add(linear, sums.hourglass[i]);
         }
     }
-    [
-        stress[0],
-        stress[1],
-        viscous[0],
-        viscous[1],
-        hourglass[0],
-        hourglass[1],
-    ]
 }

@@ -11,11 +11,10 @@
 //! the body, per reference area.
 
 use super::SolidError;
-use super::block::{Block, Face, Reflection, Side, Tangential};
-use super::images::Image;
-use super::mat2::{Mat2, apply};
+use super::block::{Block, Face, Side};
+use super::motion::Wall;
 use super::reference::{FIRST_ROW, Reference};
-use super::state::State;
+use super::shares::drives;
 use crate::geometry::{Geometry, Vec2};
 
 /// The points of one face, in order along it.
@@ -46,40 +45,19 @@ pub struct Surface {
     /// Whether the motion of a point is prescribed.
     pub(super) driven: Vec<bool>,
     pub(super) wall: Vec<Wall>,
-    scale: Vec<f64>,
+    pub(super) scale: Vec<f64>,
     /// Whether there is still material beneath a point to act on.
     pub(super) holds: Vec<bool>,
-    point_of_particle: Vec<u32>,
+    pub(super) point_of_particle: Vec<u32>,
     /// Place of the points in the reference configuration of the particles, m.
     pub(super) anchor: Vec<Vec2>,
     /// Share of the next point in the motion at a particle reflected in a driven part.
-    share_of_next: Vec<f64>,
+    pub(super) share_of_next: Vec<f64>,
     /// Whether the body is mirrored at the first and the last point.
-    mirrored_ends: [bool; 2],
-}
-
-/// Prescribed motion at a point of a face.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Wall {
-    /// Displacement, m.
-    pub(super) displacement: Vec2,
-    /// Velocity, m/s.
-    pub(super) velocity: Vec2,
-    /// Derivative of the displacement along the face.
-    pub(super) slope: Vec2,
-    /// Second derivative of the normal displacement along the face, 1/m.
-    pub(super) curvature: f64,
+    pub(super) mirrored_ends: [bool; 2],
 }
 
 const NO_POINT: u32 = u32::MAX;
-
-/// Whether a face moves a particle that is continued beyond it in this way.
-fn drives(how: Option<Reflection>) -> bool {
-    matches!(how, Some(Reflection::Slip | Reflection::Bonded))
-}
-
-/// What tractions can be scaled by.
-const SCALES: std::ops::Range<f64> = 0.2..5.0;
 
 impl Surface {
     pub(super) fn new(
@@ -160,164 +138,6 @@ impl Surface {
         }
     }
 
-    /// Between which points the particles reflected in a driven part lie.
-    fn find_feet(&mut self, block: &Block, reference: &Reference) -> Result<(), SolidError> {
-        if !matches!(self.face, Face::Driven(_)) {
-            return Ok(());
-        }
-        let along = 1 - self.side.normal_axis();
-        if !self.driven.contains(&true) {
-            return Err(SolidError::NothingDriven { side: self.side });
-        }
-        let at = |j: usize| self.reference_position[j][along];
-        for (b, position) in reference.position.iter().enumerate() {
-            if !drives(block.reflection(self.side, *position)) {
-                continue;
-            }
-            let x = position[along];
-            let near = self.nearest(x, along, &reference.position, true)? as usize;
-            let first = if x < at(near) { near.max(1) - 1 } else { near };
-            let next = first + 1;
-            self.point_of_particle[b] = near as u32;
-            if next < self.driven.len() && self.driven[first] && self.driven[next] {
-                self.point_of_particle[b] = first as u32;
-                self.share_of_next[b] = ((x - at(first)) / (at(next) - at(first))).clamp(0.0, 1.0);
-            }
-        }
-        Ok(())
-    }
-
-    /// Assigns the sources of open images to points and sets the scales.
-    fn share_out(
-        &mut self,
-        geometry: Geometry,
-        block: &Block,
-        reference: &Reference,
-    ) -> Result<(), SolidError> {
-        let along = 1 - self.side.normal_axis();
-        let mut point = std::mem::take(&mut self.point_of_particle);
-        for image in reference.open_images.iter().filter(|i| self.opens(i)) {
-            let b = image.source as usize;
-            let x = reference.position[b][along];
-            point[b] = self.nearest(x, along, &reference.position, false)?;
-        }
-        self.point_of_particle = point;
-        let scale = self.scales(geometry, block, reference);
-        for (j, &scale) in scale.iter().enumerate() {
-            if !self.driven[j] && !SCALES.contains(&scale) {
-                return Err(SolidError::UnevenFace {
-                    side: self.side,
-                    position: self.reference_position[j],
-                    share: 1.0 / scale,
-                });
-            }
-        }
-        self.scale = scale;
-        Ok(())
-    }
-
-    /// Sets the scales anew after particles were taken out. A point beneath which too little is left loses its hold: it
-    /// transmits nothing any more.
-    pub(super) fn share_out_again(
-        &mut self,
-        geometry: Geometry,
-        block: &Block,
-        reference: &Reference,
-    ) {
-        if matches!(self.face, Face::Driven(_) | Face::Free) {
-            return;
-        }
-        self.scale = self.scales(geometry, block, reference);
-        for (j, scale) in self.scale.iter_mut().enumerate() {
-            self.holds[j] = SCALES.contains(scale) && !reference.forgotten[self.particle[j]];
-            if !self.holds[j] {
-                *scale = 0.0;
-            }
-        }
-    }
-
-    fn opens(&self, image: &Image) -> bool {
-        image.steps().any(|s| s.side == self.side && s.is_open())
-    }
-
-    /// Area of each point's strip over what its traction acts on; 1 at driven points.
-    fn scales(&self, geometry: Geometry, block: &Block, reference: &Reference) -> Vec<f64> {
-        let axis = self.side.normal_axis();
-        let mut share = vec![0.0; self.particle.len()];
-        let acts = |i: u32| self.opens(&reference.open_images[i as usize]);
-        for a in 0..reference.position.len() {
-            for p in reference.open_pairs_of(a).iter().filter(|p| acts(p.image)) {
-                let image = reference.open_images[p.image as usize];
-                let b = image.source as usize;
-                let l = image.turn_matrix(reference.full_correction[b]);
-                let normal = apply(&l, p.offset)[axis] * p.gradient * self.side.sign();
-                let radius = if axis == 0 {
-                    block.coordinate(self.side)
-                } else {
-                    reference.position[b][0]
-                };
-                let ring = geometry.ring(radius);
-                share[self.point_of_particle[b] as usize] +=
-                    2.0 * reference.area[a] * normal * ring;
-            }
-        }
-        let of_point = |j: usize| {
-            if self.driven[j] {
-                1.0
-            } else {
-                self.area[j] / share[j]
-            }
-        };
-        (0..share.len()).map(of_point).collect()
-    }
-
-    /// Driven or other point nearest to coordinate `x` along the face; `position` are the reference positions of the
-    /// particles.
-    pub(super) fn nearest(
-        &self,
-        x: f64,
-        along: usize,
-        position: &[Vec2],
-        driven: bool,
-    ) -> Result<u32, SolidError> {
-        let at = |j: usize| position[self.particle[j]][along];
-        let n = self.particle.len();
-        if n == 0 {
-            return Err(SolidError::NoSurface { side: self.side });
-        }
-        let after = self.particle.partition_point(|&i| position[i][along] < x);
-        let j = if after == 0 {
-            0
-        } else if after == n || x - at(after - 1) <= at(after) - x {
-            after - 1
-        } else {
-            after
-        };
-        let fits = |i: &usize| self.driven[*i] == driven;
-        let found = (j..n).find(fits).into_iter().chain((0..j).rfind(fits));
-        found
-            .min_by_key(|i| i.abs_diff(j))
-            .map(|i| i as u32)
-            .ok_or(SolidError::NoSurface { side: self.side })
-    }
-
-    /// Prescribes the motion of the driven points: `motion` gives displacement (m) and velocity (m/s) at a point of the
-    /// reference face. Along a face without tangential motion only the normal components count.
-    pub fn drive(&mut self, motion: impl Fn(Vec2) -> [Vec2; 2]) {
-        for j in (0..self.wall.len()).filter(|&j| self.driven[j]) {
-            let [displacement, velocity] = motion(self.reference_position[j]);
-            self.wall[j] = Wall {
-                displacement,
-                velocity,
-                slope: [0.0; 2],
-                curvature: 0.0,
-            };
-        }
-        for j in 0..self.wall.len() {
-            (self.wall[j].slope, self.wall[j].curvature) = self.slope(j);
-        }
-    }
-
     /// Sets the pressure (Pa) from the place of each point on the reference face.
     pub fn push(&mut self, pressure: impl Fn(Vec2) -> f64) {
         for (p, x) in self.pressure.iter_mut().zip(&self.reference_position) {
@@ -331,76 +151,10 @@ impl Surface {
         self.driven.iter().filter(|d| **d).count()
     }
 
-    /// First derivatives of the prescribed displacement along the face and second one of its normal component.
-    fn slope(&self, j: usize) -> (Vec2, f64) {
-        let (n, along) = (self.wall.len(), 1 - self.side.normal_axis());
-        let at = |i: usize| (self.reference_position[i][along], self.wall[i].displacement);
-        let driven = |i: usize| i < n && self.driven[i];
-        let beyond = |sign: f64| {
-            let (x, mut u) = at(j);
-            u[along] = -u[along];
-            (x + sign * self.width[j], u)
-        };
-        let here = at(j);
-        let before = match j.checked_sub(1) {
-            Some(i) if driven(i) => at(i),
-            None if self.mirrored_ends[0] => beyond(-1.0),
-            _ => here,
-        };
-        let after = if driven(j + 1) {
-            at(j + 1)
-        } else if j + 1 == n && self.mirrored_ends[1] {
-            beyond(1.0)
-        } else {
-            here
-        };
-        let length = after.0 - before.0;
-        if !self.driven[j] || length == 0.0 {
-            return ([0.0; 2], 0.0);
-        }
-        let normal = self.side.normal_axis();
-        let rise = |a: (f64, Vec2), b: (f64, Vec2)| {
-            if a.0 == b.0 {
-                None
-            } else {
-                Some((b.1[normal] - a.1[normal]) / (b.0 - a.0))
-            }
-        };
-        let curvature = match (rise(before, here), rise(here, after)) {
-            (Some(first), Some(second)) => 2.0 * (second - first) / length,
-            _ => 0.0,
-        };
-        let slope = [0, 1].map(|k| (after.1[k] - before.1[k]) / length);
-        (slope, curvature)
-    }
-
-    /// Prescribed motion where a particle is reflected.
-    pub(super) fn wall_at(&self, particle: u32) -> Wall {
-        let b = particle as usize;
-        let (j, share) = (self.point_of_particle[b] as usize, self.share_of_next[b]);
-        if share == 0.0 {
-            return self.wall[j];
-        }
-        let (one, two) = (self.wall[j], self.wall[j + 1]);
-        let mean = |a: Vec2, b: Vec2| [0, 1].map(|k| a[k] + share * (b[k] - a[k]));
-        Wall {
-            displacement: mean(one.displacement, two.displacement),
-            velocity: mean(one.velocity, two.velocity),
-            slope: mean(one.slope, two.slope),
-            curvature: one.curvature + share * (two.curvature - one.curvature),
-        }
-    }
-
     /// Point that takes the reaction of a particle reflected in a driven part.
     pub(super) fn foot(&self, particle: u32) -> usize {
         let b = particle as usize;
         self.point_of_particle[b] as usize + usize::from(self.share_of_next[b] > 0.5)
-    }
-
-    /// Which components of a point's motion are prescribed.
-    fn prescribed(&self, j: usize) -> [bool; 2] {
-        let bonded = matches!(self.face, Face::Driven(d) if d.tangential == Tangential::Bonded);
-        [0, 1].map(|k| self.driven[j] && (bonded || k == self.side.normal_axis()))
     }
 
     /// Scale of the traction that the images of a particle carry.
@@ -412,47 +166,6 @@ impl Surface {
     pub(super) fn traction_on(&self, particle: u32) -> Vec2 {
         let j = self.point_of_particle[particle as usize] as usize;
         self.traction[j].map(|t| t * self.scale[j])
-    }
-
-    /// Extrapolates position from the particles to the face points by the deformation gradient.
-    pub(super) fn follow_position(&mut self, reference: &Reference, state: &State) {
-        for (j, &a) in self.particle.iter().enumerate() {
-            let x = apply(&state.deformation[a], self.offset(j, reference));
-            let (held, wall) = (self.prescribed(j), self.wall[j].displacement);
-            self.position[j] = [0, 1].map(|k| {
-                if held[k] {
-                    self.reference_position[j][k] + wall[k]
-                } else {
-                    state.position[a][k] + x[k]
-                }
-            });
-        }
-    }
-
-    /// Extrapolates velocity from the particles to the face points by its gradient dv/dX.
-    pub(super) fn follow_velocity(
-        &mut self,
-        reference: &Reference,
-        state: &State,
-        velocity_gradient: impl Fn(usize) -> Mat2,
-    ) {
-        for (j, &a) in self.particle.iter().enumerate() {
-            let v = apply(&velocity_gradient(a), self.offset(j, reference));
-            let (held, wall) = (self.prescribed(j), self.wall[j].velocity);
-            self.velocity[j] = [0, 1].map(|k| {
-                if held[k] {
-                    wall[k]
-                } else {
-                    state.velocity[a][k] + v[k]
-                }
-            });
-        }
-    }
-
-    /// Reference vector from the particle to the point, m.
-    fn offset(&self, j: usize, reference: &Reference) -> Vec2 {
-        let x = reference.position[self.particle[j]];
-        [0, 1].map(|k| self.anchor[j][k] - x[k])
     }
 
     /// Power of the traction that acted, W: at driven points (`true`) or at the others.

@@ -3,6 +3,7 @@
 use crate::bodies::{DX, Faces, build, graded, johnson_cook, lattice};
 use erode_physics::strength::Strength;
 use erode_sph::Geometry::{Axisymmetric, Plane};
+use erode_sph::simd::{Width, set_width};
 use erode_sph::solid::{Face, Numerics, Setup, Side, Solid};
 
 pub(crate) fn strip(bottom: Face) -> Faces {
@@ -191,10 +192,14 @@ fn hit(threads: usize) -> Solid {
 }
 
 #[test]
-fn threads_do_not_change_a_bit() {
-    let (one, two) = (hit(1), hit(2));
+fn threads_and_instructions_do_not_change_a_bit() {
+    let one = hit(1);
     assert!(one.state.plastic_strain.iter().any(|&e| e > 1e-4));
-    assert!(one.state == two.state);
+    for width in Width::ALL {
+        set_width(Some(width));
+        assert!(one.state == hit(2).state, "{width:?}");
+    }
+    set_width(None);
 }
 
 #[test]

@@ -9,11 +9,11 @@
 //! on top of `sums.rs` and `points.rs`. Sums have one writer and a fixed order: results are the same bits for any number of
 //! threads and any width of the lanes.
 
-mod blocks;
 mod energy;
 mod error;
 mod lanes;
 mod list;
+mod patches;
 mod points;
 mod reference;
 mod setup;
@@ -22,12 +22,12 @@ mod stretch;
 mod sums;
 mod weight;
 
-pub use blocks::Blocks;
+pub use super::blocks::Blocks;
 pub use energy::Work;
 pub use error::SpaceError;
 pub use setup::{Numerics, Setup};
 
-use super::patches;
+use super::blocks;
 use crate::simd::LANES;
 use erode_physics::Sym3;
 use erode_physics::material_point::Material;

@@ -1,7 +1,9 @@
 //! Accelerations of the published form.
 
+use super::super::force::Powers;
 use super::super::stress::TASK;
 use super::{Present, Settings, Solid};
+use crate::fluid::ordered_sum;
 use crate::geometry::{Geometry, Vec2};
 use crate::kernel;
 use erode_physics::Sym3;
@@ -65,6 +67,7 @@ impl Solid {
     pub(in crate::solid) fn present_accelerations(&mut self, settings: &Settings) {
         self.arrange();
         self.press_points();
+        self.press_bared();
         self.sum_density();
         self.present_tractions();
         let stress = self.present_stress();
@@ -83,11 +86,26 @@ impl Solid {
             .with_min_len(TASK)
             .map(|a| forces.on(a))
             .collect();
-        self.scratch.viscous.clear();
-        for (a, (total, viscous)) in both.into_iter().enumerate() {
+        for (a, (total, _)) in both.iter().enumerate() {
             let here = self.state.removed[a] == 0.0;
-            self.state.acceleration[a] = if here { total } else { [0.0; 2] };
-            self.scratch.viscous.push(viscous);
+            self.state.acceleration[a] = if here { *total } else { [0.0; 2] };
         }
+        for (a, force) in &self.scratch.bared {
+            let a = *a as usize;
+            for (acceleration, f) in self.state.acceleration[a].iter_mut().zip(force) {
+                *acceleration += f / self.reference.mass[a];
+            }
+        }
+        let mass = &self.reference.mass;
+        let power = |of: &[Vec2]| {
+            ordered_sum(both.len(), |a| {
+                let viscous = both[a].1;
+                mass[a] * (viscous[0] * of[a][0] + viscous[1] * of[a][1])
+            })
+        };
+        self.scratch.powers = Powers {
+            viscous: [power(&self.state.velocity), power(&self.state.acceleration)],
+            ..Powers::default()
+        };
     }
 }
