@@ -84,8 +84,8 @@ const SWING_REASON: &str = "2 %: a quarter of the swing, a fifth of a spacing at
 
 /// What the numbers do not say.
 const NOTES: [&str; 3] = [
-    "At 50 MPa the wall is as fast as sound: both laws are far from the compressible liquid in one dimension, in smallest radius \
-     and rebound. With the spacing the smallest radius of the particles comes down towards that of the compressible liquid, past \
+    "At 50 MPa the wall is as fast as sound: the law of Keller and Miksis is far from the compressible liquid in one dimension, that \
+     of Gilmore in its rebound. With the spacing the smallest radius of the particles comes down towards that of the compressible liquid, past \
      that of Keller and Miksis: where it meets the latter it does so by coincidence.",
     "At 1 MPa the error of the smallest radius does not fall from 15 to 30 particles per radius: it has not been shown to \
      converge. Two errors of opposite sign meet in it: the gas does less work on the particles than p dV of the measured volume \
