@@ -74,7 +74,8 @@ pub fn extrapolate([fine, middle, coarse]: [[f64; 2]; 3]) -> Option<Extrapolated
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.5..=3.0;
 
 /// Error bar of the finest of at least three values (spacing, value), finest first: that of [`extrapolate`] with a plausible order,
-/// otherwise three times the range of the values (Eca and Hoekstra 2014, for data without an order). None from fewer values.
+/// otherwise three times the range of the values (the safety factor of Eca and Hoekstra 2014 for data without a plausible order).
+/// None from fewer values.
 #[must_use]
 pub fn error_bar(known: &[[f64; 2]]) -> Option<f64> {
     let three = <[[f64; 2]; 3]>::try_from(known.get(..3)?).ok()?;

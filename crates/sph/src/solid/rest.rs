@@ -102,7 +102,7 @@ mod tests {
         solid
     }
 
-    /// Half the time free, half with open sides: the ledger closes to a percent of what was stored, and damping takes the most.
+    /// Half the time free, half with open sides: the ledger closes to 2 % of what was stored, and damping takes the most.
     #[test]
     fn a_bar_comes_to_rest_and_its_ledger_closes() {
         let mut solid = bar();
