@@ -36,7 +36,7 @@ static BUBBLE: Table = table(
             "times",
             Count(1),
             "1",
-            "how many like this one after the other",
+            "number of impacts like this, one after the other",
         ),
         optional("radius", Quantity(LENGTH, Positive), "radius"),
         optional(
@@ -66,7 +66,7 @@ static BUBBLE: Table = table(
 static RANDOM: Table = table(
     "bubbles drawn by chance: the same seed gives the same bubbles",
     &[
-        required("count", Count(1), "how many"),
+        required("count", Count(1), "number of impacts that are drawn"),
         default("seed", Count(0), "1", "seed of the random numbers"),
         optional(
             "radius",

@@ -230,8 +230,8 @@ fn sequence(i: &Impacts) -> String {
 fn settling(i: &Impacts) -> String {
     let s = &i.settling;
     format!(
-        "damping {} until {:e} of the kinetic energy are left, {} at most",
-        si(s.damping, "1/s"),
+        "damping {:.1e} 1/s until {:e} of the kinetic energy are left, {} at most",
+        s.damping,
         s.residual,
         si(s.longest, "s")
     )
