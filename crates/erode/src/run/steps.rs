@@ -5,6 +5,7 @@ use super::files::Files;
 use super::impacts::{self, Sequence};
 use super::monitor::Record;
 use super::observer::{Observer, Progress};
+use super::writing::Due;
 use super::{RunError, findings, impact, layers, loads, refinement, results, state, watch};
 use crate::case::Simulation;
 use crate::output::{
@@ -172,6 +173,22 @@ impl Run {
         Ok(())
     }
 
+    /// Steps until something is to be written, at least one; until it is asked to stop, or `STATUS_EVERY` after `shown`.
+    fn steps_until_due(&mut self, stop: &AtomicBool, shown: Instant) -> Result<Due, RunError> {
+        loop {
+            let before = self.world.time;
+            self.last = self.world.stable_time_step();
+            self.checked_step()?;
+            let begun = Instant::now();
+            let due = self.due_since(before);
+            self.written += begun.elapsed().as_secs_f64();
+            let over = self.finished() || self.stage_over() || stop.load(Ordering::Relaxed);
+            if over || !due.is_nothing() || shown.elapsed().as_secs_f64() > STATUS_EVERY {
+                return Ok(due);
+            }
+        }
+    }
+
     /// Shortens the last two steps so that they end at the end time, and neither is much shorter than the stable one.
     fn meet_the_end(&mut self) {
         let left = self.simulation.run.end_time - self.world.time;
@@ -238,14 +255,11 @@ impl Course for Run {
             if stop.load(Ordering::Relaxed) {
                 return Ok(false);
             }
-            let before = self.world.time;
             // Inside the pool of threads parallel loops begin at once; from outside each of them would have to be handed over.
-            rayon::scope(|_| {
-                self.last = self.world.stable_time_step();
-                self.checked_step()
-            })?;
+            // Files are written outside of it: whoever waits for them keeps no thread from its work.
+            let due = rayon::scope(|_| self.steps_until_due(stop, shown))?;
             let begun = Instant::now();
-            self.write_due(before)?;
+            self.write(due)?;
             if self.sequence.is_some() && !self.finished() && self.stage_over() {
                 self.next_stage()?;
             }
