@@ -271,11 +271,10 @@ impl World {
             let ghosts = sweep.ghosts.refresh(f, &walls);
             f.follow_gas(&ghosts);
             clock.lap(Phase::Boundaries);
-            let reaction = f.push(sweep, &ghosts, dt, time, clock);
-            f.kick(0.5 * dt);
-            clock.lap(Phase::Integrate);
+            f.push(sweep, &ghosts, dt, time, clock);
             for (line, sum) in lines.iter().zip(&mut pressures) {
-                let push = line.pressure(f.geometry, &f.position, &reaction, &f.smoothing_length);
+                let push =
+                    line.pressure(f.geometry, &f.position, f.reaction(), &f.smoothing_length);
                 sum.iter_mut().zip(push).for_each(|(s, p)| *s += p);
                 if let Some(gas) = &f.gas {
                     let push = gas.pressure_on(line);

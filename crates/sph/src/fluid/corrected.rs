@@ -4,7 +4,7 @@
 
 use crate::fluid::refinement::Changes;
 use crate::fluid::step::Sweep;
-use crate::fluid::{Fluid, PARTICLES_PER_TASK, ordered_sum, shifting};
+use crate::fluid::{Fluid, ordered_sums, shifting};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -57,24 +57,21 @@ pub struct Account {
 }
 
 impl<const D: usize> Fluid<D> {
-    /// Volume of one step, with what else the first sweep found; exchange of volume by shifting. Returns the shifting velocities, m/s.
-    pub(crate) fn exchange_volume(
-        &mut self,
-        s: &Settings,
-        sweep: &mut Sweep<D>,
-        dt: f64,
-    ) -> Vec<[f64; D]> {
+    /// Volume of one step, with what else the first sweep found; exchange of volume by shifting, whose velocities stay in the
+    /// memory of the sweep.
+    pub(crate) fn exchange_volume(&mut self, s: &Settings, sweep: &mut Sweep<D>, dt: f64) {
+        let mut shift = std::mem::take(&mut sweep.memory.shift);
+        shift.resize(self.len(), [0.0; D]);
         let found = &*sweep;
         let (mass, density) = (&self.mass, self.eos.reference_density);
         let (pressure, h) = (&self.pressure, &self.smoothing_length);
         let parted = AtomicU64::new(0);
-        let (mut shift, mut work) = (Vec::new(), Vec::new());
-        (self.volume.par_iter_mut())
+        let works = (self.volume.par_iter_mut())
             .zip(&mut self.support)
             .zip(&mut self.strain_rate)
+            .zip(&mut shift)
             .enumerate()
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, ((volume, support), strain_rate))| {
+            .map(|(a, (((volume, support), strain_rate), shift))| {
                 let k = found.kinematics(a);
                 *support = k.support;
                 *strain_rate = shifting::norm(&k.gradient);
@@ -84,14 +81,14 @@ impl<const D: usize> Fluid<D> {
                     *volume = largest;
                     parted.fetch_add(1, Ordering::Relaxed);
                 }
-                let shift = shifting::velocity(h[a], *strain_rate, k, s);
-                (shift, pressure[a] * k.exchange)
-            })
-            .unzip_into_vecs(&mut shift, &mut work);
+                *shift = shifting::velocity(h[a], *strain_rate, k, s);
+                [pressure[a] * k.exchange]
+            });
+        let [work] = ordered_sums(works);
         self.account.parted += parted.into_inner();
-        self.account.dissipation += dt * ordered_sum(work.len(), |a| work[a]);
+        self.account.dissipation += dt * work;
         shifting::exchange(self, sweep, &shift, dt);
-        shift
+        sweep.memory.shift = shift;
     }
 }
 

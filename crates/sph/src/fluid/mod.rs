@@ -184,8 +184,6 @@ impl<const D: usize> Fluid<D> {
         let ghosts = sweep.ghosts.refresh(self, &walls);
         clock.lap(Phase::Boundaries);
         self.push(sweep, &ghosts, dt, time + dt, clock);
-        self.kick(0.5 * dt);
-        clock.lap(Phase::Integrate);
     }
 
     /// Whether there are no particles.
@@ -256,28 +254,21 @@ impl<const D: usize> Fluid<D> {
         self.smoothing_length = new;
     }
 
-    /// v += dt a.
-    pub(crate) fn kick(&mut self, dt: f64) {
-        (self.velocity.par_iter_mut().zip(&self.acceleration))
-            .with_min_len(PARTICLES_PER_TASK)
-            .for_each(|(v, a)| {
-                for (v, a) in v.iter_mut().zip(a) {
-                    *v += dt * a;
-                }
-            });
-    }
-
-    /// x += dt v; a particle that would cross the axis or a wall is mirrored back and counted.
-    pub(crate) fn drift(&mut self, dt: f64, walls: &[&dyn Wall<D>]) {
+    /// Moves every particle as `advance` says (from particle, position, velocity); one that would cross the axis or a wall is
+    /// mirrored back and counted.
+    pub(crate) fn carry(
+        &mut self,
+        walls: &[&dyn Wall<D>],
+        advance: impl Fn(usize, &mut [f64; D], &mut [f64; D]) + Sync,
+    ) {
         let axis = self.geometry == Geometry::Axisymmetric;
         let walls: Vec<_> = walls.iter().map(|w| (*w, w.shadow())).collect();
         let crossings = (self.position.par_iter_mut().zip(&mut self.velocity))
+            .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
-            .map(|(x, v)| {
+            .map(|(a, (x, v))| {
                 let mut crossings = [0, 0];
-                for (x, v) in x.iter_mut().zip(*v) {
-                    *x += dt * v;
-                }
+                advance(a, x, v);
                 if axis && x[0] <= 0.0 {
                     x[0] = -x[0];
                     v[0] = -v[0];
@@ -359,26 +350,18 @@ pub(crate) const PARTICLES_PER_TASK: usize = 512;
 
 /// Sum over particles 0 to `n`: blocks of fixed size, added in their order, so that it is the same bits for any number of
 /// threads.
-pub(crate) fn ordered_sum(n: usize, of: impl Fn(usize) -> f64 + Sync) -> f64 {
-    let [sum] = ordered_sums(n, |a| [of(a)]);
+pub(crate) fn ordered_sum(n: usize, of: impl Fn(usize) -> f64 + Sync + Send) -> f64 {
+    let [sum] = ordered_sums((0..n).into_par_iter().map(|a| [of(a)]));
     sum
 }
 
-/// Several such sums in one pass.
+/// Several such sums in one pass, of the numbers that it makes.
 pub(crate) fn ordered_sums<const N: usize>(
-    n: usize,
-    of: impl Fn(usize) -> [f64; N] + Sync,
+    numbers: impl IndexedParallelIterator<Item = [f64; N]>,
 ) -> [f64; N] {
     let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|i| sum[i] + x[i]);
-    let block = |b: usize| {
-        let begin = b * PARTICLES_PER_TASK;
-        (begin..n.min(begin + PARTICLES_PER_TASK))
-            .map(&of)
-            .fold([0.0; N], add)
-    };
-    let blocks: Vec<[f64; N]> = (0..n.div_ceil(PARTICLES_PER_TASK))
-        .into_par_iter()
-        .map(block)
+    let blocks: Vec<[f64; N]> = numbers
+        .fold_chunks(PARTICLES_PER_TASK, || [0.0; N], add)
         .collect();
     blocks.into_iter().fold([0.0; N], add)
 }

@@ -7,16 +7,15 @@
 //! identity, since the deficit of the plain sum is the condition p = 0 half a spacing outside the first particle. p_x is
 //! the pressure outside a far field, zero elsewhere.
 
+use crate::fluid::Fluid;
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::kinematics::Kinematics;
 use crate::fluid::moments::{Matrix, apply};
 use crate::fluid::pair::{Pair, add_scaled, dot, limited, plus, scaled};
 use crate::fluid::places;
 use crate::fluid::step::Sweep;
-use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
-use rayon::prelude::*;
 
 /// Above this eigenvalue of the moment matrix the corrected gradient is used.
 const INSIDE: f64 = 0.85;
@@ -67,35 +66,31 @@ struct Law<const D: usize>;
 /// Memory of the sums.
 pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Sums<D>>;
 
-/// Forces on every particle with velocities `velocity`; `outside` is the far-field pressure of each, Pa.
+/// Sums over the neighbours of every particle, with velocity and pressure outside (m/s, Pa) as `surroundings` tells them.
 pub(crate) fn sweep<const D: usize>(
     fluid: &Fluid<D>,
     ghosts: &Ghosts<D>,
-    velocity: &[[f64; D]],
-    outside: &[f64],
+    surroundings: impl Fn(usize) -> ([f64; D], f64) + Sync,
     sweep: &mut Sweep<D>,
-) -> Vec<Forces<D>> {
+) {
     let places = &sweep.places;
     let kinematics = |a: usize| &sweep.memory.kinematics.results[places.of(a)];
     let memory = &mut sweep.memory.momentum;
-    let of = |a: usize| particle(fluid, velocity[a], kinematics(a), outside[a], a);
+    let of = |a: usize| particle(fluid, surroundings(a), kinematics(a), a);
     places.sum(&Law::<D>, ghosts, of, image, memory);
-    let forces = |a: usize| {
-        let correction = correction(kinematics(a));
-        memory.results[places.of(a)].forces(correction, fluid.density(a))
-    };
-    (0..fluid.len())
-        .into_par_iter()
-        .with_min_len(PARTICLES_PER_TASK)
-        .map(forces)
-        .collect()
+}
+
+/// Forces on particle `a` with the sums of the last sweep.
+pub(crate) fn forces<const D: usize>(fluid: &Fluid<D>, sweep: &Sweep<D>, a: usize) -> Forces<D> {
+    let correction = correction(sweep.kinematics(a));
+    let sums = &sweep.memory.momentum.results[sweep.places.of(a)];
+    sums.forces(correction, fluid.density(a))
 }
 
 fn particle<const D: usize>(
     fluid: &Fluid<D>,
-    velocity: [f64; D],
+    (velocity, outside): ([f64; D], f64),
     k: &Kinematics<D>,
-    outside: f64,
     a: usize,
 ) -> Particle<D> {
     Particle {

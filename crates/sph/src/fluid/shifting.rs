@@ -17,7 +17,7 @@ use crate::fluid::moments::Matrix;
 use crate::fluid::pair::{Pair, dot, half_ring, plus};
 use crate::fluid::places::{self, Places};
 use crate::fluid::step::Sweep;
-use crate::fluid::{Fluid, PARTICLES_PER_TASK, compression_energy, kinetic_energy, ordered_sum};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK, compression_energy, kinetic_energy, ordered_sums};
 use crate::geometry::{self, Geometry, length};
 use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
@@ -139,12 +139,11 @@ impl<const D: usize> Fluid<D> {
     fn take(&mut self, gains: &[Gain<D>], places: &Places<D>) {
         let eos = self.eos;
         let cavitating = AtomicU64::new(0);
-        let loss: Vec<f64> = (self.velocity.par_iter_mut())
+        let losses = (self.velocity.par_iter_mut())
             .zip(&mut self.mass)
             .zip(&mut self.volume)
             .zip(&mut self.pressure)
             .enumerate()
-            .with_min_len(PARTICLES_PER_TASK)
             .map(|(a, (((velocity, mass), volume), pressure))| {
                 let gain = &gains[places.of(a)];
                 let before =
@@ -163,10 +162,10 @@ impl<const D: usize> Fluid<D> {
                     cavitating.fetch_add(1, Ordering::Relaxed);
                 }
                 let stored = eos.specific_energy_of(density.max(eos.reference_density), *pressure);
-                before - kinetic_energy(*mass, *velocity) - *mass * stored
-            })
-            .collect();
-        self.account.dissipation += ordered_sum(loss.len(), |a| loss[a]);
+                [before - kinetic_energy(*mass, *velocity) - *mass * stored]
+            });
+        let [loss] = ordered_sums(losses);
+        self.account.dissipation += loss;
         self.account.cavitating += cavitating.into_inner();
     }
 }

@@ -49,7 +49,11 @@ impl<const D: usize> Default for Sweep<D> {
 pub(crate) struct Memory<const D: usize> {
     pub(crate) kinematics: kinematics::Memory<D>,
     pub(crate) shifting: shifting::Memory<D>,
+    /// Shifting velocities, m/s.
+    pub(crate) shift: Vec<[f64; D]>,
     pub(crate) momentum: momentum::Memory<D>,
+    /// Force on the surfaces of solids by each particle, N (whole ring).
+    reaction: Vec<[f64; D]>,
 }
 
 impl<const D: usize> Default for Memory<D> {
@@ -57,7 +61,9 @@ impl<const D: usize> Default for Memory<D> {
         Self {
             kinematics: kinematics::Memory::default(),
             shifting: shifting::Memory::default(),
+            shift: Vec::new(),
             momentum: momentum::Memory::default(),
+            reaction: Vec::new(),
         }
     }
 }
@@ -105,34 +111,39 @@ impl<const D: usize> Fluid<D> {
         dt: f64,
         clock: &mut Phases,
     ) -> Sweep<D> {
-        self.kick(0.5 * dt);
-        self.drift(0.5 * dt, walls);
+        let half = 0.5 * dt;
+        let rate = std::mem::take(&mut self.acceleration);
+        self.carry(walls, |a, x, v| {
+            for i in 0..D {
+                v[i] += half * rate[a][i];
+                x[i] += half * v[i];
+            }
+        });
+        self.acceleration = rate;
         clock.lap(Phase::Integrate);
         let mut sweep = Sweep::find(self, walls, dt, clock);
-        let extra = match self.formulation {
+        match self.formulation {
             Formulation::Corrected(s) => self.exchange_volume(&s, &mut sweep, dt),
             Formulation::Joshi(s) => {
                 self.keep_kinematics(&sweep);
                 self.advance_far_volume(&sweep, dt);
                 let x = Extended::new(self, &sweep.ghosts, &self.velocity);
-                self.smoothing_velocities(&x, &sweep, s.xsph)
+                sweep.memory.shift = self.smoothing_velocities(&x, &sweep, s.xsph);
             }
-        };
+        }
         clock.lap(Phase::Sweeps);
-        (self.position.par_iter_mut().zip(&extra))
-            .with_min_len(PARTICLES_PER_TASK)
-            .for_each(|(x, u)| {
-                for (x, u) in x.iter_mut().zip(u) {
-                    *x += dt * u;
-                }
-            });
-        self.drift(0.5 * dt, walls);
+        let shift = &sweep.memory.shift;
+        self.carry(walls, |a, x, v| {
+            for i in 0..D {
+                x[i] += dt * shift[a][i];
+                x[i] += half * v[i];
+            }
+        });
         clock.lap(Phase::Integrate);
         sweep
     }
 
-    /// Step 4 without the kick: forces at the end of the step (`time`), with the ghosts where they are then. Returns the force of the liquid on the surfaces
-    /// of solids, N per particle (whole ring).
+    /// Step 4: forces at the end of the step (`time`), with the ghosts where they are then, and the kick.
     pub(crate) fn push(
         &mut self,
         mut sweep: Sweep<D>,
@@ -140,7 +151,7 @@ impl<const D: usize> Fluid<D> {
         dt: f64,
         time: f64,
         clock: &mut Phases,
-    ) -> Vec<[f64; D]> {
+    ) {
         match self.formulation {
             Formulation::Corrected(_) => self.update_smoothing_length(),
             Formulation::Joshi(_) => {
@@ -148,49 +159,102 @@ impl<const D: usize> Fluid<D> {
                 self.update_pressure();
             }
         }
-        let (predicted, outside) = self.surroundings(dt, time);
-        let forces = match self.formulation {
+        let fluid = &*self;
+        let surroundings =
+            |a: usize| fluid.surroundings(a, fluid.velocity[a], fluid.acceleration[a], dt, time);
+        match self.formulation {
             Formulation::Corrected(_) => {
-                momentum::sweep(self, ghosts, &predicted, &outside, &mut sweep)
+                momentum::sweep(self, ghosts, surroundings, &mut sweep);
+                self.kick(|f, s, a| momentum::forces(f, s, a), &mut sweep, dt, time);
             }
             Formulation::Joshi(s) => {
+                let (predicted, outside): (Vec<_>, Vec<_>) =
+                    (0..self.len()).into_par_iter().map(surroundings).unzip();
                 let x = Extended::new(self, ghosts, &predicted);
-                joshi::forces(self, &x, &outside, &sweep, &s)
+                let forces = joshi::forces(self, &x, &outside, &sweep, &s);
+                self.kick(|_, _, a| forces[a], &mut sweep, dt, time);
             }
-        };
-        self.book(&forces, &predicted, &outside, &sweep, dt);
+        }
         self.sweep = sweep;
-        let reaction = (self.acceleration.par_iter_mut().zip(&forces))
-            .zip(&self.mass)
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|((a, f), m)| {
-                *a = f.acceleration;
-                f.wall.map(|w| -m * w)
-            })
-            .collect();
         clock.lap(Phase::Sweeps);
-        reaction
     }
 
-    /// Velocities at the end of a step of `dt`, at `time`, and the pressure outside each particle: of its far field or of the
-    /// gas beside it, Pa.
-    fn surroundings(&self, dt: f64, time: f64) -> (Vec<[f64; D]>, Vec<f64>) {
-        let (mut predicted, mut outside) = (Vec::new(), Vec::new());
-        (self.velocity.par_iter().zip(&self.acceleration))
-            .zip(&self.far_field)
+    /// Force of each particle on the surfaces of solids in the last step, N (whole ring).
+    pub(crate) fn reaction(&self) -> &[[f64; D]] {
+        &self.sweep.memory.reaction
+    }
+
+    /// Velocity of particle `a` at the end of a step of `dt`, at `time`, from that at its middle and the last acceleration; and
+    /// the pressure outside of it, of its far field or of the gas beside it, Pa.
+    fn surroundings(
+        &self,
+        a: usize,
+        velocity: [f64; D],
+        rate: [f64; D],
+        dt: f64,
+        time: f64,
+    ) -> ([f64; D], f64) {
+        let v = std::array::from_fn(|i| velocity[i] + 0.5 * dt * rate[i]);
+        let far = &self.far_field[a];
+        let outside = if far.is_some() {
+            far.pressure_outside(&self.eos, v, time)
+        } else {
+            self.gas_pressure.get(a).copied().unwrap_or(0.0)
+        };
+        (v, outside)
+    }
+
+    /// v += a dt/2 with the new accelerations; dissipation and work of the far field go to the account, forces on surfaces to
+    /// the memory of the sweep.
+    fn kick(
+        &mut self,
+        forces: impl Fn(&Self, &Sweep<D>, usize) -> Forces<D> + Sync,
+        sweep: &mut Sweep<D>,
+        dt: f64,
+        time: f64,
+    ) {
+        let mut velocity = std::mem::take(&mut self.velocity);
+        let mut acceleration = std::mem::take(&mut self.acceleration);
+        let mut reaction = std::mem::take(&mut sweep.memory.reaction);
+        reaction.resize(self.len(), [0.0; D]);
+        let (fluid, found) = (&*self, &*sweep);
+        let works = (velocity.par_iter_mut().zip(&mut acceleration))
+            .zip(&mut reaction)
             .enumerate()
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, ((v, rate), far))| {
-                let v: [f64; D] = std::array::from_fn(|i| v[i] + 0.5 * dt * rate[i]);
-                let outside = if far.is_some() {
-                    far.pressure_outside(&self.eos, v, time)
-                } else {
-                    self.gas_pressure.get(a).copied().unwrap_or(0.0)
-                };
-                (v, outside)
-            })
-            .unzip_into_vecs(&mut predicted, &mut outside);
-        (predicted, outside)
+            .map(|(a, ((v, rate), reaction))| {
+                let (predicted, outside) = fluid.surroundings(a, *v, *rate, dt, time);
+                let f = forces(fluid, found, a);
+                *rate = f.acceleration;
+                for (v, rate) in v.iter_mut().zip(f.acceleration) {
+                    *v += 0.5 * dt * rate;
+                }
+                let mass = fluid.mass[a];
+                *reaction = f.wall.map(|w| -mass * w);
+                let dissipation = mass * dot(f.dissipation, predicted);
+                let leaving = fluid.far_field_power(a, predicted, outside, found);
+                [dissipation, leaving]
+            });
+        let [dissipation, leaving] = ordered_sums(works);
+        (self.velocity, self.acceleration) = (velocity, acceleration);
+        sweep.memory.reaction = reaction;
+        self.account.dissipation -= dt * dissipation;
+        self.account.far_field_work -= dt * leaving;
+    }
+
+    /// Power (W) of particle `a` with this velocity on the pressure outside of its far field.
+    fn far_field_power(&self, a: usize, velocity: [f64; D], outside: f64, sweep: &Sweep<D>) -> f64 {
+        let far = &self.far_field[a];
+        if !far.is_some() {
+            return 0.0;
+        }
+        let half = 0.5 * spacing::<D>(self.area(a));
+        let gradient = sweep.kinematics(a).gradient;
+        let stretch = gradient.map(|row| half * dot(row, far.normal));
+        let speed = dot(
+            far.normal,
+            std::array::from_fn(|i| velocity[i] + stretch[i]),
+        );
+        outside * speed * far.face_area
     }
 
     fn keep_kinematics(&mut self, sweep: &Sweep<D>) {
@@ -202,33 +266,5 @@ impl<const D: usize> Fluid<D> {
                 *support = k.support;
                 *strain_rate = shifting::norm(&k.gradient);
             });
-    }
-
-    /// Dissipation and work of the far field during one step.
-    fn book(
-        &mut self,
-        forces: &[Forces<D>],
-        velocity: &[[f64; D]],
-        outside: &[f64],
-        sweep: &Sweep<D>,
-        dt: f64,
-    ) {
-        let dissipated = |a: usize| self.mass[a] * dot(forces[a].dissipation, velocity[a]);
-        let leaving = |a: usize| {
-            let (far, v) = (&self.far_field[a], velocity[a]);
-            if !far.is_some() {
-                return 0.0;
-            }
-            let half = 0.5 * spacing::<D>(self.area(a));
-            let stretch = sweep
-                .kinematics(a)
-                .gradient
-                .map(|row| half * dot(row, far.normal));
-            let speed = dot(far.normal, std::array::from_fn(|i| v[i] + stretch[i]));
-            outside[a] * speed * far.face_area
-        };
-        let [dissipation, work] = ordered_sums(self.len(), |a| [dissipated(a), leaving(a)]);
-        self.account.dissipation -= dt * dissipation;
-        self.account.far_field_work -= dt * work;
     }
 }
