@@ -119,20 +119,28 @@ impl Colour {
 
     /// Bands of rows side by side; each cell gets its blots in their order.
     fn add(&mut self, blots: &[Blot]) {
-        // Rows are padded so that eight cells from any of a row on are there.
-        let (row, padded) = (self.size[0], self.size[0] + LANES);
-        let mut cells = vec![0.0; padded * self.size[1]];
-        (cells.par_chunks_mut(padded * BAND).enumerate()).for_each(|(band, cells)| {
-            simd::run(Band {
-                colour: self,
-                blots,
-                first: band * BAND,
-                cells,
-                padded,
-            });
-        });
-        for (own, padded) in self.colour.chunks_mut(row).zip(cells.chunks(padded)) {
-            own.copy_from_slice(&padded[..row]);
+        let (row, eights) = (self.size[0], self.size[0].div_ceil(LANES));
+        let mut cells = vec![[0.0; LANES]; eights * self.size[1]];
+        let mut bands = vec![Vec::new(); self.size[1].div_ceil(BAND)];
+        for (k, blot) in blots.iter().enumerate() {
+            for band in blot.bands() {
+                bands[band].push(k);
+            }
+        }
+        (cells.par_chunks_mut(eights * BAND).zip(&bands).enumerate()).for_each(
+            |(band, (cells, own))| {
+                simd::run(Band {
+                    colour: self,
+                    blots,
+                    own,
+                    first: band * BAND,
+                    cells,
+                    eights,
+                });
+            },
+        );
+        for (own, eights) in self.colour.chunks_mut(row).zip(cells.chunks(eights)) {
+            own.copy_from_slice(&eights.as_flattened()[..row]);
         }
     }
 

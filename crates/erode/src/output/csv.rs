@@ -177,11 +177,41 @@ impl TableWriter {
     /// # Errors
     /// [`OutputError::Write`].
     pub fn sync(&mut self) -> Result<(), OutputError> {
+        self.begin_sync()?.finish()
+    }
+
+    /// The same in two parts: flushes; what comes back waits, on any thread, until these rows are on the disk.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`].
+    pub fn begin_sync(&mut self) -> Result<Sync, OutputError> {
         self.flush()?;
-        self.file.sync_data().map_err(|cause| OutputError::Write {
-            path: self.path.clone(),
-            cause,
-        })
+        let path = self.path.clone();
+        match self.file.try_clone() {
+            Ok(file) => Ok(Sync { path, file }),
+            Err(cause) => Err(OutputError::Write { path, cause }),
+        }
+    }
+}
+
+/// Rows of a table on their way to the disk.
+#[derive(Debug)]
+#[must_use]
+pub struct Sync {
+    path: PathBuf,
+    file: File,
+}
+
+impl Sync {
+    /// Waits until they are there.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`].
+    pub fn finish(self) -> Result<(), OutputError> {
+        let path = self.path;
+        self.file
+            .sync_data()
+            .map_err(|cause| OutputError::Write { path, cause })
     }
 }
 

@@ -21,7 +21,7 @@ pub mod vtu;
 pub use checkpoint::{
     Array, Checkpoint, CheckpointMeta, CheckpointStore, Loaded, Refusal, Refused,
 };
-pub use csv::{Column, Table, TableWriter};
+pub use csv::{Column, Sync, Table, TableWriter};
 pub use error::OutputError;
 pub use failure::write_failure;
 pub use hash::hash_hex;

@@ -1,4 +1,5 @@
-//! Snapshots are compressed and written beside the calculation: one at a time, so that at most one waits in memory.
+//! Snapshots and checkpoints are compressed and written beside the calculation: one at a time, so that at most one waits in
+//! memory.
 
 use crate::output::{Encoding, Entry, OutputError, Snapshot};
 use std::path::PathBuf;
@@ -11,25 +12,37 @@ pub(super) struct Part {
     pub(super) entry: Entry,
 }
 
-/// The snapshot that is being written, if one is.
+/// What is being written, if anything is.
 #[derive(Default)]
 pub(super) struct Background {
     writer: Option<JoinHandle<Result<Vec<Entry>, OutputError>>>,
 }
 
 impl Background {
-    /// Waits for the snapshot before and begins to write; the entries of the one before.
+    /// Begins to write a snapshot; the entries of the one before.
     ///
     /// # Errors
-    /// That of the writing before; nothing is begun then.
-    pub(super) fn begin(&mut self, parts: Vec<Part>) -> Result<Vec<Entry>, OutputError> {
-        let before = self.settle()?;
-        self.writer = Some(std::thread::spawn(move || {
+    /// As [`Self::begin`].
+    pub(super) fn begin_snapshot(&mut self, parts: Vec<Part>) -> Result<Vec<Entry>, OutputError> {
+        self.begin(move || {
             for part in &parts {
                 part.snapshot.write(&part.path, Encoding::Zlib)?;
             }
             Ok(parts.into_iter().map(|part| part.entry).collect())
-        }));
+        })
+    }
+
+    /// Waits for what is being written and begins `work`, which tells entries for the collection; the entries of what was
+    /// before.
+    ///
+    /// # Errors
+    /// That of the writing before; nothing is begun then.
+    pub(super) fn begin(
+        &mut self,
+        work: impl FnOnce() -> Result<Vec<Entry>, OutputError> + Send + 'static,
+    ) -> Result<Vec<Entry>, OutputError> {
+        let before = self.settle()?;
+        self.writer = Some(std::thread::spawn(work));
         Ok(before)
     }
 
@@ -80,8 +93,9 @@ mod tests {
     fn no_entry_is_lost_between_two_snapshots() {
         let folder = tempfile::tempdir().unwrap();
         let mut background = Background::default();
-        let begun =
-            |b: &mut Background, time: f64| b.begin(vec![part(folder.path(), time)]).unwrap();
+        let begun = |b: &mut Background, time: f64| {
+            b.begin_snapshot(vec![part(folder.path(), time)]).unwrap()
+        };
         assert!(begun(&mut background, 1.0).is_empty());
         assert_eq!(begun(&mut background, 2.0)[0].time, 1.0);
         assert_eq!(background.settle().unwrap()[0].time, 2.0);
@@ -93,7 +107,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let mut background = Background::default();
         let nowhere = part(&folder.path().join("nowhere"), 1.0);
-        background.begin(vec![nowhere]).unwrap();
-        assert!(background.begin(vec![part(folder.path(), 2.0)]).is_err());
+        background.begin_snapshot(vec![nowhere]).unwrap();
+        let next = vec![part(folder.path(), 2.0)];
+        assert!(background.begin_snapshot(next).is_err());
     }
 }

@@ -110,30 +110,25 @@ fn jet_width(fluid: &Fluid, tip: f64) -> f64 {
 
 /// Kernel mean of the velocity towards smaller z just above `tip`.
 fn tip_speed(fluid: &Fluid, tip: Vec2) -> f64 {
-    let nearest = (0..fluid.len())
-        .filter(|&a| fluid.position[a][1] > tip[1] - fluid.smoothing_length[a])
-        .min_by(|&a, &b| {
-            distance(fluid.position[a], tip).total_cmp(&distance(fluid.position[b], tip))
-        });
-    let Some(nearest) = nearest else {
+    let square = |x: Vec2| (x[0] - tip[0]).powi(2) + (x[1] - tip[1]).powi(2);
+    let above = |a: usize| fluid.position[a][1] > tip[1] - fluid.smoothing_length[a];
+    let distances = (0..fluid.len())
+        .filter(|a| above(*a))
+        .map(|a| (square(fluid.position[a]), a));
+    let nearest = distances.min_by(|p, q| p.0.total_cmp(&q.0));
+    let Some((_, nearest)) = nearest else {
         return f64::NAN;
     };
-    let reach = 2.0 * fluid.smoothing_length[nearest];
+    let reach = (2.0 * fluid.smoothing_length[nearest]).powi(2);
     let (mut sum, mut weight) = (0.0, 0.0);
     for a in 0..fluid.len() {
-        let d = distance(fluid.position[a], tip);
-        if d < reach && fluid.position[a][1] > tip[1] - fluid.smoothing_length[a] {
+        if square(fluid.position[a]) < reach && above(a) {
             let w = fluid.mass[a] / fluid.geometry.ring(fluid.position[a][0]);
             sum -= w * fluid.velocity[a][1];
             weight += w;
         }
     }
     sum / weight
-}
-
-fn distance(a: Vec2, b: Vec2) -> f64 {
-    // Not `hypot`: it is slow, and nothing here is near the ends of the range of numbers.
-    ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt()
 }
 
 /// Radius of the ball (disc in plane) with a volume.

@@ -3,7 +3,9 @@
 use super::background::{Background, Part};
 use super::{RunError, monitor, probes};
 use crate::case::Simulation;
-use crate::output::{Collection, Column, Entry, RunFolder, RunPaths, TableWriter};
+use crate::output::{
+    Checkpoint, CheckpointStore, Collection, Column, Entry, RunFolder, RunPaths, Sync, TableWriter,
+};
 use erode_sph::solid::Side;
 use erode_sph::world::{Body, World};
 use serde_json::{Map, Value};
@@ -132,12 +134,12 @@ impl Files {
                 },
             });
         }
-        let before = self.background.begin(parts)?;
+        let before = self.background.begin_snapshot(parts)?;
         self.snapshots += 1;
         self.list(before)
     }
 
-    /// Waits for the snapshot that is being written and lists it.
+    /// Waits for what is being written; a snapshot is listed.
     ///
     /// # Errors
     /// If it could not be written.
@@ -153,27 +155,46 @@ impl Files {
         Ok(())
     }
 
-    /// Brings all tables to the disk; tells how long they are, for a checkpoint.
+    /// How long all tables are, for a checkpoint; and what brings them to the disk, which has to be done before it.
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub(crate) fn mark(&mut self, simulation: &Simulation) -> Result<Map<String, Value>, RunError> {
+    pub(crate) fn mark(
+        &mut self,
+        simulation: &Simulation,
+    ) -> Result<(Map<String, Value>, Vec<Sync>), RunError> {
         self.settle()?;
-        let mut rows = Map::new();
-        self.history.sync()?;
-        rows.insert("history".into(), self.history.rows().into());
-        if let Some(wall) = &mut self.wall {
-            wall.table.sync()?;
-            rows.insert("wall".into(), wall.table.rows().into());
-        }
-        for (probe, table) in simulation.probes.iter().zip(&mut self.probes) {
-            table.sync()?;
-            rows.insert(probe_mark(&probe.name), table.rows().into());
+        let (mut rows, mut syncs) = (Map::new(), Vec::new());
+        let wall = self.wall.as_mut().map(|w| ("wall".into(), &mut w.table));
+        let probes = (simulation.probes.iter().zip(&mut self.probes))
+            .map(|(probe, table)| (probe_mark(&probe.name), table));
+        let history = std::iter::once(("history".into(), &mut self.history));
+        for (name, table) in history.chain(wall).chain(probes) {
+            rows.insert(name, table.rows().into());
+            syncs.push(table.begin_sync()?);
         }
         let mut marks = Map::new();
         marks.insert("rows".into(), rows.into());
         marks.insert("snapshots".into(), self.snapshots.into());
-        Ok(marks)
+        Ok((marks, syncs))
+    }
+
+    /// Writes a checkpoint while the calculation goes on, once the rows that it counts are on the disk.
+    ///
+    /// # Errors
+    /// If what was being written before could not be.
+    pub(crate) fn begin_checkpoint(
+        &mut self,
+        checkpoint: Checkpoint,
+        syncs: Vec<Sync>,
+    ) -> Result<(), RunError> {
+        let store = CheckpointStore::new(self.folder.paths().checkpoints());
+        let before = self.background.begin(move || {
+            syncs.into_iter().try_for_each(Sync::finish)?;
+            store.write(&checkpoint)?;
+            Ok(Vec::new())
+        })?;
+        self.list(before)
     }
 }
 

@@ -8,9 +8,7 @@ use super::observer::{Observer, Progress};
 use super::writing::Due;
 use super::{RunError, findings, impact, layers, loads, refinement, results, state, watch};
 use crate::case::Simulation;
-use crate::output::{
-    Checkpoint, CheckpointMeta, CheckpointStore, RunFolder, RunPaths, State, Summary,
-};
+use crate::output::{Checkpoint, CheckpointMeta, RunFolder, RunPaths, State, Summary};
 use erode_sph::phases::Phase;
 use erode_sph::world::{Body, Limiter, World};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -219,6 +217,31 @@ impl Run {
 }
 
 impl Run {
+    /// Begins to write a state to go on from.
+    pub(super) fn begin_checkpoint(&mut self) -> Result<(), RunError> {
+        let (mut extra, syncs) = self.files.mark(&self.simulation)?;
+        let record = self.record_until_now();
+        let record =
+            serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
+        extra.insert("first_dt".into(), self.first_dt.into());
+        extra.insert("record".into(), record);
+        extra.insert("accounts".into(), state::accounts(&self.world));
+        if let Some(sequence) = &self.sequence {
+            let state = serde_json::to_value(&sequence.state);
+            let state = state.map_err(|e| RunError::Checkpoint(e.to_string()))?;
+            extra.insert("impacts".into(), state);
+        }
+        let mut checkpoint = Checkpoint::new(CheckpointMeta {
+            code_version: env!("CARGO_PKG_VERSION").to_owned(),
+            case_hash: self.hash.clone(),
+            time: self.world.time,
+            step: self.world.step,
+            extra: extra.into(),
+        });
+        state::store(&self.world, &mut checkpoint)?;
+        self.files.begin_checkpoint(checkpoint, syncs)
+    }
+
     /// The record with the times of this process.
     fn record_until_now(&self) -> Record {
         let mut record = self.record.clone();
@@ -274,28 +297,8 @@ impl Course for Run {
     }
 
     fn write_checkpoint(&mut self) -> Result<(), RunError> {
-        let mut extra = self.files.mark(&self.simulation)?;
-        let record = self.record_until_now();
-        let record =
-            serde_json::to_value(record).map_err(|e| RunError::Checkpoint(e.to_string()))?;
-        extra.insert("first_dt".into(), self.first_dt.into());
-        extra.insert("record".into(), record);
-        extra.insert("accounts".into(), state::accounts(&self.world));
-        if let Some(sequence) = &self.sequence {
-            let state = serde_json::to_value(&sequence.state);
-            let state = state.map_err(|e| RunError::Checkpoint(e.to_string()))?;
-            extra.insert("impacts".into(), state);
-        }
-        let mut checkpoint = Checkpoint::new(CheckpointMeta {
-            code_version: env!("CARGO_PKG_VERSION").to_owned(),
-            case_hash: self.hash.clone(),
-            time: self.world.time,
-            step: self.world.step,
-            extra: extra.into(),
-        });
-        state::store(&self.world, &mut checkpoint)?;
-        CheckpointStore::new(self.files.paths().checkpoints()).write(&checkpoint)?;
-        Ok(())
+        self.begin_checkpoint()?;
+        self.files.settle()
     }
 
     fn settle(&mut self) -> Result<(), RunError> {

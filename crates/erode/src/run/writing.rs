@@ -1,6 +1,5 @@
 //! What a run writes on its way, and when.
 
-use super::course::Course;
 use super::impacts::Sequence;
 use super::steps::Run;
 use super::{RunError, monitor, watch};
@@ -55,7 +54,7 @@ impl Run {
             self.files.write_fields(&self.world)?;
         }
         if due.checkpoint {
-            self.write_checkpoint()?;
+            self.begin_checkpoint()?;
         }
         Ok(())
     }

@@ -4,6 +4,7 @@ use crate::cavity::Colour;
 use crate::geometry::Vec2;
 use crate::kernel;
 use crate::simd::{LANES, Simd, Task};
+use std::ops::RangeInclusive;
 
 /// w R^2 at distance 0.
 const AT_CENTRE: f64 = 5.0 / std::f64::consts::PI;
@@ -32,14 +33,14 @@ impl Blot {
         let (w, radius) = (colour.window, kernel::SUPPORT * h);
         let (mut from, mut to) = ([0; 2], [0; 2]);
         for k in 0..2 {
-            let size = colour.size[k] as f64;
-            let cell = |v: f64| ((v - w.lower[k]) / w.cell - 0.5).clamp(-1.0, size);
-            let (first, last) = (cell(x[k] - radius).ceil(), cell(x[k] + radius).floor());
-            if last < 0.0 || first > size - 1.0 {
+            // The number of cells with their centre at or before a place: `as` rounds down (`floor` would be a call).
+            let size = colour.size[k];
+            let cells = |v: f64| ((v - w.lower[k]) / w.cell + 0.5).clamp(0.0, size as f64) as usize;
+            let (before, until) = (cells(x[k] - radius), cells(x[k] + radius));
+            if until == 0 || before == size {
                 return None;
             }
-            from[k] = first.max(0.0) as usize;
-            to[k] = (last as usize).min(colour.size[k] - 1);
+            (from[k], to[k]) = (before, until - 1);
         }
         (from[0] <= to[0] && from[1] <= to[1]).then(|| Self {
             x,
@@ -51,15 +52,24 @@ impl Blot {
     }
 }
 
+impl Blot {
+    /// Bands of rows in which it lies.
+    pub(super) fn bands(&self) -> RangeInclusive<usize> {
+        self.from[1] / BAND..=self.to[1] / BAND
+    }
+}
+
 /// Colours the cells of a few rows.
 pub(super) struct Band<'a> {
     pub(super) colour: &'a Colour,
     pub(super) blots: &'a [Blot],
+    /// Which of them lie in these rows.
+    pub(super) own: &'a [usize],
     /// First row.
     pub(super) first: usize,
-    pub(super) cells: &'a mut [f64],
-    /// Cells in a row with those that only fill it up.
-    pub(super) padded: usize,
+    pub(super) cells: &'a mut [[f64; LANES]],
+    /// Eights of cells in a row; the last one is filled up.
+    pub(super) eights: usize,
 }
 
 impl Task for Band<'_> {
@@ -68,29 +78,28 @@ impl Task for Band<'_> {
     #[inline(always)]
     fn run<S: Simd>(self) {
         let w = self.colour.window;
-        let last = self.first + self.cells.len() / self.padded - 1;
+        let last = self.first + self.cells.len() / self.eights - 1;
         let mut steps = [0.0; LANES];
         for (i, step) in steps.iter_mut().enumerate() {
             *step = i as f64 * w.cell;
         }
         let (steps, zero, one) = (S::load(&steps), S::splat(0.0), S::splat(1.0));
-        let near = |b: &&Blot| b.to[1] >= self.first && b.from[1] <= last;
-        for b in self.blots.iter().filter(near) {
+        for b in self.own.iter().map(|k| &self.blots[*k]) {
             let support = (kernel::SUPPORT * b.h).powi(2);
             let scale = S::splat(b.area * AT_CENTRE / support);
             let inverse = S::splat(-1.0 / support);
             for j in b.from[1].max(self.first)..=b.to[1].min(last) {
-                let row = (j - self.first) * self.padded;
+                let row = (j - self.first) * self.eights;
                 let dy = S::splat(self.colour.centre(0, j)[1] - b.x[1]);
                 let dy2 = dy * dy;
-                for i in (b.from[0]..=b.to[0]).step_by(LANES) {
-                    let dx = steps + S::splat(self.colour.centre(i, j)[0] - b.x[0]);
+                // Always the same eights: what one particle has just stored the next one loads as it is.
+                for e in b.from[0] / LANES..=b.to[0] / LANES {
+                    let dx = steps + S::splat(self.colour.centre(LANES * e, j)[0] - b.x[0]);
                     // Cells beyond the support get exactly nothing.
                     let u = (dx.mul_add(dx, dy2)).mul_add(inverse, one).max(zero);
                     let (u2, scaled) = (u * u, scale * u);
-                    if let Some(cells) = self.cells[row + i..].first_chunk_mut::<LANES>() {
-                        *cells = (scaled * u).mul_add(u2, S::load(cells)).store();
-                    }
+                    let cells = &mut self.cells[row + e];
+                    *cells = (scaled * u).mul_add(u2, S::load(cells)).store();
                 }
             }
         }

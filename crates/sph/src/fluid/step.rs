@@ -165,7 +165,7 @@ impl<const D: usize> Fluid<D> {
         match self.formulation {
             Formulation::Corrected(_) => {
                 momentum::sweep(self, ghosts, surroundings, &mut sweep);
-                self.kick(|f, s, a| momentum::forces(f, s, a), &mut sweep, dt, time);
+                self.kick(momentum::forces, &mut sweep, dt, time);
             }
             Formulation::Joshi(s) => {
                 let (predicted, outside): (Vec<_>, Vec<_>) =
