@@ -160,8 +160,12 @@ pub(crate) fn row(
     record: &mut Record,
 ) -> Vec<f64> {
     let mut values = vec![world.time, dt];
-    if let Some(b) = &simulation.bubble {
-        let state = bubble(world, b, cell);
+    // Side by side: neither of the two keeps all threads busy.
+    let (state, (ledger, metal)) = rayon::join(
+        || (simulation.bubble.as_ref()).map(|b| (b, bubble(world, b, cell))),
+        || (Ledger::of(world), solid(world).map(|s| (s, Metal::of(s)))),
+    );
+    if let Some((b, state)) = state {
         record.see_bubble(&state, b, world.time);
         let radius = equivalent_radius(state.volume, simulation.geometry);
         let parts = state.parts as f64;
@@ -195,14 +199,12 @@ pub(crate) fn row(
             .fold(0.0, f64::max)
             .sqrt()
     });
-    let ledger = Ledger::of(world);
     values.extend([
         pressure,
         speed,
         ledger.liquid_kinetic + ledger.solid_kinetic,
     ]);
-    if let Some(s) = solid(world) {
-        let metal = Metal::of(s);
+    if let Some((s, metal)) = metal {
         let wall = s.surface(Side::Top);
         values.extend([
             wall.and_then(|w| w.pressure.first().copied())

@@ -115,9 +115,9 @@ fn mean<const N: usize>(
     let (mut sum, mut weight) = ([0.0; N], 0.0);
     for (a, p) in position.iter().enumerate() {
         let (area, h) = size(a);
-        let distance = (p[0] - x[0]).hypot(p[1] - x[1]);
-        if distance < kernel::SUPPORT * h {
-            let w = area * kernel::value(distance, h);
+        let square = (p[0] - x[0]).powi(2) + (p[1] - x[1]).powi(2);
+        if square < (kernel::SUPPORT * h).powi(2) {
+            let w = area * kernel::value(square.sqrt(), h);
             weight += w;
             for (s, v) in sum.iter_mut().zip(values(a)) {
                 *s += w * v;
