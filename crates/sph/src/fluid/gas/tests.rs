@@ -57,6 +57,7 @@ fn gas(map: &Map, shares: &[f64]) -> Gas {
         lost: 0.0,
         closed: 0,
         cut: 0,
+        first_cell: law.cell,
         cells: Cells::of(map, [[0, 0], map.size], &pocket_of, pockets).0,
     }
 }
