@@ -299,17 +299,17 @@ fn wrong_command_lines_are_wrong_input() {
 }
 
 #[test]
-fn refinement_does_not_go_with_gas() {
+fn refinement_and_gas_go_together_but_not_in_the_published_form() {
     let folder = Folder::new();
     let file = folder.file(CASE);
-    let refinement = "setup.bubble_near_wall.liquid_formulation.corrected.refinement={per_radius=20, growth=0.06, smallest=0.2}";
+    let formulation = "setup.bubble_near_wall.liquid_formulation";
+    let refinement =
+        format!("{formulation}.corrected.refinement={{per_radius=8, growth=0.06, smallest=0.05}}");
     let gas = "setup.bubble_near_wall.gas={pressure=\"100 kPa\"}";
-    let text = flat(&refused(&file, &["--set", refinement, "--set", gas]));
-    assert!(text.contains("does not go with gas"), "{text}");
-    assert!(text.contains("leave `refinement` or `gas` out"), "{text}");
-    // Each alone is fine.
-    for one in [refinement, gas] {
-        let path = file.to_str().expect("the path is UTF-8");
-        assert!(erode(&["check", path, "--set", one]).status.success());
-    }
+    let path = file.to_str().expect("the path is UTF-8");
+    let checked = erode(&["check", path, "--set", &refinement, "--set", gas]);
+    assert!(checked.status.success());
+    let published = format!("{formulation}.joshi={{}}");
+    let text = flat(&refused(&file, &["--set", &published, "--set", gas]));
+    assert!(text.contains("has no gas in its bubble"), "{text}");
 }

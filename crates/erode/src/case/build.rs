@@ -44,12 +44,11 @@ pub(crate) fn simulation(
     let sequence = sequence(f, setup.as_ref(), &bodies, bubble, findings);
     let probes = probes(f, &bodies, complete, findings);
     relations::check(&bodies, complete, geometry, findings);
-    let gas = bubble.as_ref().is_some_and(|b| b.gas.is_some());
     let holder = f.table("bubble").or(f.chosen("setup").map(|(_, s)| s));
     if let (Some(bubble), Some(holder)) = (&bubble, holder) {
         relations::check_gas(bubble, &bodies, holder.at("gas"), findings);
     }
-    relations::check_refinement(&bodies, bubble.is_some() || !complete, gas, findings);
+    relations::check_refinement(&bodies, bubble.is_some() || !complete, findings);
     estimate::check_memory(&bodies, geometry, findings);
     let title = f.text("title")?;
     let number = sequence.as_ref().map_or(1, |i| i.bubbles.len());

@@ -77,23 +77,17 @@ fn check_fill(b: &Built, geometry: Geometry, findings: &mut Findings) {
     }
 }
 
-/// Refinement needs a cavity to follow, and one without gas.
-pub(crate) fn check_refinement(bodies: &[Built], bubble: bool, gas: bool, findings: &mut Findings) {
-    for b in bodies.iter().filter(|_| !bubble || gas) {
+/// Refinement needs a cavity to follow.
+pub(crate) fn check_refinement(bodies: &[Built], bubble: bool, findings: &mut Findings) {
+    for b in bodies.iter().filter(|_| !bubble) {
         let BodyKind::Fluid(fluid) = &b.body.kind else {
             continue;
         };
-        if fluid.refinement().is_none() {
-            continue;
-        }
-        let name = &b.body.name;
-        if gas {
-            let message = format!("the refinement of `{name}` does not go with gas in the bubble");
-            let help = "the volume of the gas is measured on cells of half the first spacing, which lose a small bubble \
-                        (this version): leave `refinement` or `gas` out";
-            findings.error(b.at, message, "not with `gas`", help);
-        } else {
-            let message = format!("the refinement of `{name}` has no cavity to follow");
+        if fluid.refinement().is_some() {
+            let message = format!(
+                "the refinement of `{}` has no cavity to follow",
+                b.body.name
+            );
             let help = "say where it is in [bubble], or leave `refinement` out";
             findings.error(b.at, message, "needs a [bubble]", help);
         }

@@ -259,6 +259,23 @@ fn a_refined_run_goes_on_to_the_same_bits() {
     assert_identical(&dirs[0], &dirs[1]);
 }
 
+/// Gas beside particles that come and go: its cells become smaller with them.
+#[test]
+fn a_refined_gas_bubble_goes_on_to_the_same_bits() {
+    let dirs = ["refined-gas", "refined-gas-again"].map(fresh);
+    for (dir, threads) in dirs.iter().zip(["2", "1"]) {
+        let refined = "setup.bubble_in_liquid.liquid_formulation.corrected.refinement={per_radius=8, growth=0.3}";
+        let set = ["--set", refined, "--threads", threads];
+        let output = start("gas-rebound", dir, &set).wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+    }
+    let halved = summary(&dirs[0])["ledger"]["particles_halved"].as_f64();
+    assert!(halved.unwrap() > 10.0, "{halved:?}");
+    fs::remove_file(checkpoints(&dirs[1]).last().unwrap()).unwrap();
+    says(&["resume", dirs[1].to_str().unwrap(), "--threads", "1"]);
+    assert_identical(&dirs[0], &dirs[1]);
+}
+
 #[test]
 fn a_gas_bubble_comes_back_and_goes_on_to_the_same_bits() {
     let whole = finished("gas-rebound").dir;

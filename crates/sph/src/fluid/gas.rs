@@ -21,7 +21,7 @@ mod tests;
 
 use crate::cavity::{Colour, Map, Window};
 use crate::fluid::ghosts::Ghosts;
-use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK};
+use crate::fluid::{Fluid, Formulation, PARTICLES_PER_TASK, SMOOTHING};
 use crate::geometry::{Geometry, Vec2};
 use crate::interface::SurfaceLine;
 use crate::kernel;
@@ -35,6 +35,9 @@ const ROOM: f64 = 2.0;
 
 /// Fewer cells (two particles) are noise between particles: they do not take gas from a pocket that parts.
 const SMALLEST: usize = 8;
+
+/// Cells per spacing of the particles beside the gas: with fewer they are halved, with more doubled again. Two at the start.
+const CELLS_PER_SPACING: [f64; 2] = [1.5, 4.0];
 
 /// Places across the width of a point of a surface where it is looked for gas.
 const PLACES: usize = 4;
@@ -51,7 +54,7 @@ pub struct GasLaw {
     /// Whether the liquid ends at these limits (a wall, the axis): a pocket that reaches them is whole. Beyond the others
     /// its volume is cut, which is counted.
     pub ends: [[bool; 2]; 2],
-    /// Size of the cells by which volumes are measured, m: half the finest spacing.
+    /// Size of the cells by which volumes are measured, m: half the finest spacing. They are halved where particles are.
     pub cell: f64,
 }
 
@@ -82,6 +85,8 @@ pub struct Gas {
     pub closed: u64,
     /// Steps in which a pocket reached beyond the limits, so that its volume was cut.
     pub cut: u64,
+    /// Size of the cells at the start, m; [`GasLaw::cell`] is the one now.
+    first_cell: f64,
     cells: Cells,
 }
 
@@ -169,6 +174,7 @@ impl Gas {
             lost: 0.0,
             closed: 0,
             cut: 0,
+            first_cell: law.cell,
             cells: Cells::default(),
         };
         gas.keep(fluid, &map, search, &pocket_of);
@@ -239,8 +245,11 @@ impl Gas {
             .with_min_len(PARTICLES_PER_TASK)
             .map(on)
             .collect();
-        let touched = (0..fluid.len()).filter(|&a| on[a] > 0.0);
-        let largest = touched.fold(0.0, |m: f64, a| m.max(fluid.smoothing_length[a]));
+        let touched: Vec<f64> = (0..fluid.len())
+            .filter(|&a| on[a] > 0.0)
+            .map(|a| fluid.smoothing_length[a])
+            .collect();
+        let largest = touched.iter().copied().fold(0.0, f64::max);
         let room = ROOM * kernel::SUPPORT * largest.max(self.law.cell) / self.law.cell;
         let size = self.law.size();
         let (cells, [low, high]) = Cells::of(map, search, pocket_of, self.pockets.len());
@@ -256,7 +265,21 @@ impl Gas {
             [0, 1].map(|k| low[k].saturating_sub(room).min(size[k])),
             [0, 1].map(|k| (high[k] + room).min(size[k])),
         ];
+        let mean = touched.iter().sum::<f64>() / touched.len().max(1) as f64;
+        self.fit_cells(mean / SMOOTHING);
         on
+    }
+
+    /// Halves or doubles the cells when they no longer fit the mean `spacing` of the particles that the gas touches, m.
+    fn fit_cells(&mut self, spacing: f64) {
+        let [fewest, most] = CELLS_PER_SPACING.map(|n| n * self.law.cell);
+        if spacing > 0.0 && spacing < fewest {
+            self.law.cell *= 0.5;
+            self.cells = self.cells.halved();
+        } else if spacing > most && self.law.cell < self.first_cell {
+            self.law.cell *= 2.0;
+            self.cells = self.cells.doubled();
+        }
     }
 }
 

@@ -5,10 +5,12 @@ use crate::validate::Failure;
 use crate::validate::materials::water;
 use erode_physics::bubble::{self, BubbleModel, BubbleState, Constant, Controls, Liquid, advance};
 use erode_sph::Geometry;
+use erode_sph::cavity::{Window, fronts};
 use erode_sph::fluid::corrected::Settings;
 use erode_sph::fluid::far_field::FarField;
 use erode_sph::fluid::gas::{Gas, GasLaw};
 use erode_sph::fluid::ghosts::{Ghosts, Plane};
+use erode_sph::fluid::refinement::Refinement;
 use erode_sph::fluid::{Fluid, Formulation, Start};
 use erode_sph::packing::{Options, Spacing, pack};
 use erode_sph::shapes::{Region, Shape};
@@ -21,10 +23,33 @@ pub(super) const R0: f64 = 1e-4;
 pub(super) const DENSITY: f64 = 1000.0;
 /// Adiabatic gas.
 const EXPONENT: f64 = 1.4;
+/// Cavities below this radius are not refined, R0: a little less than the smallest radius at 50 MPa.
+const SMALLEST: f64 = 0.05;
 /// The finest spacing reaches to this distance, R0.
 const CORE: f64 = 1.4;
+/// Growth of the spacing per distance at `n` particles per radius, times n.
+const GROWTH: f64 = 1.8;
 /// Points of a curve of the theory.
 const POINTS: u32 = 4000;
+
+/// How many particles lie over the radius of the bubble.
+#[derive(Clone, Copy)]
+pub(super) struct Particles {
+    /// At the start.
+    pub(super) n: f64,
+    /// That refinement keeps there, if it is asked for.
+    pub(super) kept: Option<f64>,
+}
+
+impl Particles {
+    /// As in tables.
+    pub(super) fn name(&self) -> String {
+        match self.kept {
+            None => format!("n = {}", self.n),
+            Some(kept) => format!("n = {}, refined to {kept} per R", self.n),
+        }
+    }
+}
 
 /// What is computed.
 #[derive(Clone, Copy)]
@@ -187,7 +212,7 @@ impl Setting {
         let spacing = Spacing {
             finest: dx,
             coarsest: extent / 8.0,
-            growth: 1.8 * dx / R0,
+            growth: GROWTH * dx / R0,
             core: Some(Shape::Rectangle {
                 lower: [0.0, -CORE * R0],
                 upper: [CORE * R0; 2],
@@ -228,10 +253,38 @@ impl Setting {
     }
 }
 
-/// The same by `n` particles per radius. Times are those of a bubble of the radius R0: all of them are proportional to the radius
+/// Refines after a step where it is asked for.
+fn refine(world: &mut World, particles: &Particles) {
+    let step = world.step;
+    let Some(Body::Fluid(f)) = world.bodies.first_mut().map(|b| &mut b.body) else {
+        return;
+    };
+    let (Some(kept), Some(gas)) = (particles.kept, &f.gas) else {
+        return;
+    };
+    if !Refinement::is_due(step) {
+        return;
+    }
+    let asked = Refinement {
+        per_radius: kept,
+        growth: GROWTH / particles.n,
+        smallest: SMALLEST * R0,
+    };
+    let cell = gas.law.cell;
+    let reach = 1.3 * (0.75 * gas.volume() / PI).cbrt() + 8.0 * cell;
+    let window = Window {
+        lower: [0.0, -reach],
+        upper: [reach; 2],
+        cell,
+    };
+    let found = fronts(f, &[], window, asked.smallest);
+    f.refine(&asked, &found, step);
+}
+
+/// The same by particles. Times are those of a bubble of the radius R0: all of them are proportional to the radius
 /// of the bubble, the only length.
-pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
-    let body = Body::Fluid(setting.liquid(R0 / n)?);
+pub(super) fn run(setting: &Setting, particles: Particles) -> Result<Swing, Failure> {
+    let body = Body::Fluid(setting.liquid(R0 / particles.n)?);
     let name = "water".into();
     let mut world = World::new(vec![Named { name, body }], 0.3)?;
     let (mut curve, mut defects) = (Vec::new(), Vec::new());
@@ -239,6 +292,7 @@ pub(super) fn run(setting: &Setting, n: f64) -> Result<Swing, Failure> {
     while world.time < setting.end_time() {
         let dt = world.stable_time_step().0;
         world.advance(dt)?;
+        refine(&mut world, &particles);
         let Some(Body::Fluid(f)) = world.bodies.first().map(|b| &b.body) else {
             return Err(Failure::Absent("there is no water".into()));
         };

@@ -2,6 +2,7 @@
 
 use crate::cavity::Map;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// First cell of a part of the plane, and one past the last.
 pub(super) type Part = [[usize; 2]; 2];
@@ -70,6 +71,51 @@ impl Cells {
             search: Part::default(),
         };
         (cells, [low, high])
+    }
+
+    /// The same with four cells in the place of each.
+    pub(super) fn halved(&self) -> Self {
+        let twice = |part: Part| part.map(|corner| corner.map(|c| 2 * c));
+        let half = |r: &Run, row: usize| Run {
+            first: [2 * r.first[0], 2 * r.first[1] + row],
+            count: 2 * r.count,
+            owner: r.owner,
+        };
+        let rows = self.runs.chunk_by(|a, b| a.first[1] == b.first[1]);
+        Self {
+            runs: rows
+                .flat_map(|row| (0..2).flat_map(move |k| row.iter().map(move |r| half(r, k))))
+                .collect(),
+            empty: self.empty.clone(),
+            seen: twice(self.seen),
+            search: twice(self.search),
+        }
+    }
+
+    /// The same with one cell in the place of each four; it belongs to the first of them that is no liquid.
+    pub(super) fn doubled(&self) -> Self {
+        let half = |[from, to]: Part| [from.map(|c| c / 2), to.map(|c| c.div_ceil(2))];
+        let mut runs: Vec<Run> = Vec::new();
+        for rows in (self.runs).chunk_by(|a, b| a.first[1] / 2 == b.first[1] / 2) {
+            let mut owner = BTreeMap::new();
+            for r in rows {
+                for i in r.first[0] / 2..(r.first[0] + r.count).div_ceil(2) {
+                    owner.entry(i).or_insert(r.owner);
+                }
+            }
+            let place = |i: usize| [i, rows[0].first[1] / 2];
+            runs.extend(owner.into_iter().map(|(i, owner)| Run {
+                first: place(i),
+                count: 1,
+                owner,
+            }));
+        }
+        Self {
+            runs,
+            empty: self.empty.clone(),
+            seen: half(self.seen),
+            search: half(self.search),
+        }
     }
 
     /// Pocket or empty void of a cell.

@@ -57,6 +57,7 @@ fn gas(map: &Map, shares: &[f64]) -> Gas {
         lost: 0.0,
         closed: 0,
         cut: 0,
+        first_cell: law.cell,
         cells: Cells::of(map, [[0, 0], map.size], &pocket_of, pockets).0,
     }
 }
@@ -179,6 +180,32 @@ fn a_void_that_goes_on_beyond_the_search_is_looked_for_there() {
     // Never beyond the limits.
     gas.law.limits[1] = [12.0, 3.0];
     assert_eq!(gas.wider(&right, search), None);
+}
+
+#[test]
+fn halved_and_doubled_cells_belong_to_the_same_voids() {
+    let map = map(&["11.11.222222", "111111.22222", "11.....33.11"]);
+    let gas = gas(&map, &[0.5, 0.25]);
+    let fine = gas.cells.halved();
+    for j in 0..8 {
+        for i in 0..26 {
+            assert_eq!(fine.owner([i, j]), gas.cells.owner([i / 2, j / 2]));
+        }
+    }
+    assert_eq!(fine.seen, [[0, 0], [24, 6]]);
+    let back = fine.doubled();
+    for j in 0..4 {
+        for i in 0..13 {
+            assert_eq!(back.owner([i, j]), gas.cells.owner([i, j]));
+        }
+    }
+    // Cells at odd places too: none of a void is forgotten.
+    let coarse = gas.cells.doubled();
+    for j in 0..3 {
+        for i in 0..12 {
+            assert!(gas.cells.owner([i, j]).is_none() || coarse.owner([i / 2, j / 2]).is_some());
+        }
+    }
 }
 
 const DX: f64 = 0.1;
