@@ -24,7 +24,7 @@ const KNOWN_MISSES_OF_GAS: [&str; 6] = [
 ];
 
 /// Halves do not lie exactly where the surface was: whenever a layer is halved it moves by some hundredths of a spacing, in and
-/// out in turn, 11 % of the speed at 15 particles per radius, 4 % at 30 (4 to 8 % with other spacings from 30 on).
+/// out in turn, 11 % of the speed at 15 particles per radius, 5 % at 30 (4 to 8 % with other spacings from 30 on).
 const KNOWN_MISS_OF_REFINEMENT: [&str; 5] = [
     "n = 15, refined to 15 per R: wall speed at R = 0.3 R0",
     "n = 15, refined to 15 per R: wall speed at R = 0.2 R0",
