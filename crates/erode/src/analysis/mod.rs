@@ -13,6 +13,7 @@ pub mod published;
 mod shock_front;
 mod times;
 mod toroid;
+mod wall_load;
 mod wall_pressure;
 
 pub use effective_pressure::effective_pressure;
@@ -26,4 +27,5 @@ pub use plastic_zone::{YIELDED, along_level, largest_in_column, zone_depth};
 pub use shock_front::{Front, followed_above, front, front_position, front_speed};
 pub use times::{FALL, RISE, above_step, loading_time, material_time};
 pub use toroid::{Toroid, last_toroid};
+pub use wall_load::WallLoad;
 pub use wall_pressure::WallPressure;
