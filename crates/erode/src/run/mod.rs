@@ -7,6 +7,7 @@ mod build;
 mod course;
 mod drive;
 mod error;
+mod events;
 mod files;
 mod findings;
 mod gas;

@@ -1,10 +1,11 @@
 //! What is watched while a run goes on: the bubble (measured in `bubble_state.rs`), the metal (in `metal.rs`), the energy.
 
 pub(super) use super::bubble_state::bubble;
-use super::bubble_state::{BubbleState, equivalent_radius};
+use super::bubble_state::equivalent_radius;
+use super::events::Seen;
 use super::ledger::Ledger;
 use super::metal::{Metal, indenter_force};
-use crate::case::{Bubble, Simulation};
+use crate::case::Simulation;
 use crate::output::Column;
 use erode_sph::fluid::Fluid;
 use erode_sph::fluid::gas::Pocket;
@@ -12,10 +13,6 @@ use erode_sph::solid::{Side, Solid};
 use erode_sph::world::{Body, World};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-
-/// The jet is read when the gap between the two walls of the bubble on the axis falls below this many initial radii: the
-/// last values before the impact are those of one or two particles.
-const JET_GAP: f64 = 0.2;
 
 /// The bubble counts as collapsed when less than this share of its initial volume is left.
 pub(crate) const COLLAPSED: f64 = 0.02;
@@ -40,6 +37,9 @@ pub(crate) struct Record {
     pub collapsed: Option<f64>,
     /// Smallest void volume, m3.
     pub smallest_volume: f64,
+    /// The bubble at the last row.
+    #[serde(default)]
+    pub last_bubble: Option<Seen>,
     /// Speed of the jet towards the wall when the gap closed, m/s.
     pub jet_speed: Option<f64>,
     /// Time of that, s.
@@ -166,7 +166,7 @@ pub(crate) fn row(
         || (Ledger::of(world), solid(world).map(|s| (s, Metal::of(s)))),
     );
     if let Some((b, state)) = state {
-        record.see_bubble(&state, b, world.time);
+        record.see_bubble(&state, b.radius, world.time);
         let radius = equivalent_radius(state.volume, simulation.geometry);
         let parts = state.parts as f64;
         values.extend([
@@ -260,20 +260,6 @@ impl Record {
         }
         if let Some(f) = liquid(world) {
             self.max_pressure = self.max_pressure.max(largest(&f.pressure));
-        }
-    }
-
-    fn see_bubble(&mut self, state: &BubbleState, bubble: &Bubble, time: f64) {
-        self.smallest_volume = self.smallest_volume.min(state.volume);
-        if self.collapsed.is_none() && state.volume < COLLAPSED * self.initial_volume {
-            self.collapsed = Some(time);
-        }
-        if self.jet_time.is_none() && time > 0.0 && state.gap < JET_GAP * bubble.radius {
-            self.jet_time = Some(time);
-        }
-        if self.jet_time.is_none() && state.jet_speed.is_finite() {
-            self.jet_speed = Some(state.jet_speed);
-            self.jet_half_width = Some(state.jet_half_width).filter(|w| w.is_finite());
         }
     }
 
