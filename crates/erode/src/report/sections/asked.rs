@@ -105,6 +105,9 @@ pub(crate) fn write(page: &mut Page, data: &RunData) {
         page.absent("The case file has no setup or run table; it is shown in full below.");
     } else {
         page.table(&["setting", "as written in case.toml"], &rows);
+        page.paragraph(
+            "What `--set` or a sweep changed is not in this table: resolved.toml, below, is what was computed.",
+        );
     }
 }
 
