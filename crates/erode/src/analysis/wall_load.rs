@@ -1,7 +1,7 @@
 //! What the liquid does to the wall within a distance of the axis: impulse and acoustic work.
 //!
 //! Impulse: integral of p dA dt, N s. Acoustic work: integral of p^2/Z dA dt, J, the work of the same pressure on a wall of
-//! impedance Z that answers with plane waves: what an elastic wall takes up at most of a short load.
+//! impedance Z that answers with plane waves, p = Z v (plane acoustics; no equation of the sources).
 
 use super::WallPressure;
 use std::f64::consts::PI;
@@ -53,11 +53,12 @@ impl WallPressure {
     /// Area of the ring that each column stands for, m2.
     fn rings(&self) -> Vec<f64> {
         let r = &self.radius;
-        let last = r.len() - 1;
-        let middle = |i: usize| 0.5 * (r[i] + r[i + 1]);
-        let inner = |i: usize| if i == 0 { 0.0 } else { middle(i - 1) };
-        let outer = |i: usize| if i == last { r[i] } else { middle(i) };
-        (0..=last)
+        let middle = |i: usize| 0.5 * (r[i - 1] + r[i]);
+        let inner = |i: usize| if i == 0 { 0.0 } else { middle(i) };
+        let outer = |i: usize| {
+            if i + 1 < r.len() { middle(i + 1) } else { r[i] }
+        };
+        (0..r.len())
             .map(|i| PI * (outer(i).powi(2) - inner(i).powi(2)))
             .collect()
     }
@@ -89,6 +90,12 @@ mod tests {
         // The mean of the square of a tent is a third; the trapezoidal rule has half a step squared too much.
         let exact = 1e18 / 4e7 * 2e-6 / 3.0 * disc;
         assert!((load.work / exact - 1.0).abs() < 1e-4, "{load:?}");
+        let nothing = WallPressure {
+            time: Vec::new(),
+            radius: Vec::new(),
+            pressure: Vec::new(),
+        };
+        assert_eq!(nothing.load(1e-4, 4e7, [0.0, 2e-6]).impulse, 0.0);
         let half = wall.load(1e-4, 4e7, [0.0, 1e-6]);
         assert!((2.0 * half.impulse / load.impulse - 1.0).abs() < 1e-9);
     }
