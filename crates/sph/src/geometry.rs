@@ -20,6 +20,7 @@ pub enum Geometry {
 
 impl Geometry {
     /// Out-of-plane length of a particle at first coordinate `r`: 2 pi r in axisymmetry (m), 1 m in plane, 1 in space.
+    #[inline]
     #[must_use]
     pub fn ring(self, r: f64) -> f64 {
         match self {

@@ -46,11 +46,8 @@ pub(super) fn follow(
     world.check_finite()
 }
 
-/// Stores where the particles of a refined liquid come from; nothing for one that was never refined.
+/// Stores where the particles of a liquid come from: it changes their order, and refinement their number.
 pub(super) fn store(f: &Fluid, name: &str, checkpoint: &mut Checkpoint) -> Result<(), RunError> {
-    if f.account.refinement.splits == 0 {
-        return Ok(());
-    }
     let of = |value: fn(&Origin) -> u32| -> Vec<f64> {
         f.origin.iter().map(|o| f64::from(value(o))).collect()
     };
@@ -63,11 +60,7 @@ pub(super) fn store(f: &Fluid, name: &str, checkpoint: &mut Checkpoint) -> Resul
 }
 
 /// Gives a liquid freshly built from the case the particles of the checkpoint; their fields are still to be set.
-/// `f.account` is that of the checkpoint.
 pub(super) fn restore(f: &mut Fluid, name: &str, checkpoint: &Checkpoint) -> Result<(), RunError> {
-    if f.account.refinement.splits == 0 {
-        return Ok(());
-    }
     let numbers = |field: &str| checkpoint.f64(&format!("{name}/{field}"));
     let (id, level) = (numbers("origin")?, numbers("refinement_level")?);
     let h = numbers("initial_smoothing_length")?;

@@ -26,9 +26,7 @@ pub(crate) fn store(world: &World, checkpoint: &mut Checkpoint) -> Result<(), Ru
                 checkpoint.push(&key("smoothing_length"), f.smoothing_length.clone())?;
                 checkpoint.push(&key("support"), f.support.clone())?;
                 checkpoint.push(&key("strain_rate"), f.strain_rate.clone())?;
-                let clusters = &f.clustering;
-                let order: Vec<f64> = clusters.order.iter().map(|a| f64::from(*a)).collect();
-                checkpoint.push(&key("cluster_order"), order)?;
+                let clusters = f.clustering;
                 let state = vec![clusters.fresh as f64, f64::from(u8::from(clusters.stale))];
                 checkpoint.push(&key("cluster_state"), state)?;
                 refinement::store(f, &named.name, checkpoint)?;
@@ -141,11 +139,11 @@ pub(crate) fn restore(
                 f.smoothing_length = numbers("smoothing_length", n)?;
                 f.support = numbers("support", n)?;
                 f.strain_rate = numbers("strain_rate", n)?;
-                f.clustering = clustering(
-                    &numbers("cluster_order", n)?,
-                    &numbers("cluster_state", 2)?,
-                    &name,
-                )?;
+                let state = numbers("cluster_state", 2)?;
+                f.clustering = Clustering {
+                    fresh: state[0] as usize,
+                    stale: state[1] != 0.0,
+                };
                 f.gas = serde_json::from_value(account["gas"].clone()).map_err(wrong)?;
             }
             Body::Solid(s) => {
@@ -187,22 +185,6 @@ pub(crate) fn restore(
         }
     }
     Ok(())
-}
-
-/// Which particles are summed side by side: results depend on it in the last bits.
-fn clustering(order: &[f64], state: &[f64], body: &str) -> Result<Clustering, RunError> {
-    let clustering = Clustering {
-        order: order.iter().map(|a| *a as u32).collect(),
-        fresh: state[0] as usize,
-        stale: state[1] != 0.0,
-    };
-    if clustering.is_complete() {
-        Ok(clustering)
-    } else {
-        Err(RunError::Checkpoint(format!(
-            "`cluster_order` of body `{body}` does not name each particle once"
-        )))
-    }
 }
 
 fn fits<T>(values: Vec<T>, n: usize, body: &str, field: &str) -> Result<Vec<T>, RunError> {

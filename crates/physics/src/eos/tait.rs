@@ -19,35 +19,41 @@ pub struct Tait {
 
 impl Tait {
     /// B, Pa.
+    #[inline]
     fn modulus(&self) -> f64 {
         self.reference_density * self.sound_speed * self.sound_speed / self.gamma
     }
 
     /// Pressure (Pa) at a density (kg/m3).
+    #[inline]
     #[must_use]
     pub fn pressure(&self, density: f64) -> f64 {
         self.modulus() * (power(density / self.reference_density, self.gamma) - 1.0)
     }
 
     /// Density (kg/m3) at a pressure (Pa) above -B.
+    #[inline]
     #[must_use]
     pub fn density(&self, pressure: f64) -> f64 {
         self.reference_density * (pressure / self.modulus() + 1.0).powf(1.0 / self.gamma)
     }
 
     /// Sound speed (m/s) at a density: c^2 = dp/drho.
+    #[inline]
     #[must_use]
     pub fn sound_speed_at(&self, density: f64) -> f64 {
         self.sound_speed * power(density / self.reference_density, 0.5 * (self.gamma - 1.0))
     }
 
     /// The same from the pressure (Pa) that goes with the density, c^2 = gamma (p + B)/rho: without a power.
+    #[inline]
     #[must_use]
     pub fn sound_speed_of(&self, density: f64, pressure: f64) -> f64 {
         (self.gamma * (pressure + self.modulus()) / density).sqrt()
     }
 
     /// Energy (J/kg) stored by compression from zero pressure: integral of p/rho^2 drho.
+    #[inline]
     #[must_use]
     pub fn specific_energy(&self, density: f64) -> f64 {
         let x = density / self.reference_density;
@@ -56,6 +62,7 @@ impl Tait {
     }
 
     /// The same from the pressure (Pa) that goes with the density: without a power.
+    #[inline]
     #[must_use]
     pub fn specific_energy_of(&self, density: f64, pressure: f64) -> f64 {
         let (b, rest) = (self.modulus(), self.reference_density / density);
@@ -65,12 +72,14 @@ impl Tait {
 
     /// Velocity change (m/s) across a simple wave from zero pressure to `density`:
     /// integral of c/rho drho = 2 (c - c0)/(gamma - 1).
+    #[inline]
     #[must_use]
     pub fn riemann_integral(&self, density: f64) -> f64 {
         2.0 * (self.sound_speed_at(density) - self.sound_speed) / (self.gamma - 1.0)
     }
 
     /// Pressure (Pa) at which [`Self::riemann_integral`] has the given value (m/s).
+    #[inline]
     #[must_use]
     pub fn pressure_of_riemann_integral(&self, integral: f64) -> f64 {
         let c = self.sound_speed + 0.5 * (self.gamma - 1.0) * integral;

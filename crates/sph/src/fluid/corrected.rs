@@ -4,7 +4,7 @@
 
 use crate::fluid::refinement::Changes;
 use crate::fluid::step::Sweep;
-use crate::fluid::{Fluid, ordered_sums, shifting};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK, shifting, sum_of_blocks};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -60,35 +60,51 @@ impl<const D: usize> Fluid<D> {
     /// Volume of one step, with what else the first sweep found; exchange of volume by shifting, whose velocities stay in the
     /// memory of the sweep.
     pub(crate) fn exchange_volume(&mut self, s: &Settings, sweep: &mut Sweep<D>, dt: f64) {
-        let mut shift = std::mem::take(&mut sweep.memory.shift);
-        shift.resize(self.len(), [0.0; D]);
-        let found = &*sweep;
-        let (mass, density) = (&self.mass, self.eos.reference_density);
-        let (pressure, h) = (&self.pressure, &self.smoothing_length);
+        let mut memory = std::mem::take(&mut sweep.memory);
+        let records = sweep.places.records(&mut memory.shifting);
+        memory.shift.resize(self.len(), [0.0; D]);
+        let mut volume = std::mem::take(&mut self.volume);
+        let mut support = std::mem::take(&mut self.support);
+        let mut strain_rate = std::mem::take(&mut self.strain_rate);
+        let fluid = &*self;
         let parted = AtomicU64::new(0);
-        let works = (self.volume.par_iter_mut())
-            .zip(&mut self.support)
-            .zip(&mut self.strain_rate)
-            .zip(&mut shift)
+        let works = (memory.kinematics.results.par_chunks(PARTICLES_PER_TASK))
+            .zip(volume.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(support.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(strain_rate.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(memory.shift.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(records.par_chunks_mut(PARTICLES_PER_TASK))
             .enumerate()
-            .map(|(a, (((volume, support), strain_rate), shift))| {
-                let k = found.kinematics(a);
-                *support = k.support;
-                *strain_rate = shifting::norm(&k.gradient);
-                *volume *= (dt * (k.divergence + k.exchange / *volume)).exp();
-                let largest = swelling(k.support) * mass[a] / density;
-                if *volume > largest {
-                    *volume = largest;
-                    parted.fetch_add(1, Ordering::Relaxed);
-                }
-                *shift = shifting::velocity(h[a], *strain_rate, k, s);
-                [pressure[a] * k.exchange]
-            });
-        let [work] = ordered_sums(works);
+            .map(
+                |(block, (((((results, volume), support), strain_rate), shift), records))| {
+                    let (mut work, mut held) = (0.0, 0);
+                    for (i, record) in records.iter_mut().enumerate() {
+                        let (a, k) = (block * PARTICLES_PER_TASK + i, &results[i]);
+                        support[i] = k.support;
+                        strain_rate[i] = shifting::norm(&k.gradient);
+                        volume[i] *= (dt * (k.divergence + k.exchange / volume[i])).exp();
+                        let largest =
+                            swelling(k.support) * fluid.mass[a] / fluid.eos.reference_density;
+                        if volume[i] > largest {
+                            volume[i] = largest;
+                            held += 1;
+                        }
+                        let h = fluid.smoothing_length[a];
+                        shift[i] = shifting::velocity(h, strain_rate[i], k, s);
+                        *record =
+                            shifting::Particle::new(fluid, a, volume[i], strain_rate[i], shift[i]);
+                        work += fluid.pressure[a] * k.exchange;
+                    }
+                    parted.fetch_add(held, Ordering::Relaxed);
+                    [work]
+                },
+            );
+        let [work] = sum_of_blocks(works);
+        (self.volume, self.support, self.strain_rate) = (volume, support, strain_rate);
+        sweep.memory = memory;
         self.account.parted += parted.into_inner();
         self.account.dissipation += dt * work;
-        shifting::exchange(self, sweep, &shift, dt);
-        sweep.memory.shift = shift;
+        shifting::exchange(self, sweep, dt);
     }
 }
 

@@ -3,6 +3,7 @@
 //! A ghost has the area and pressure of its source; velocity along the mirror is kept, across it reversed about the
 //! speed of the mirror. In this way the axis, a wall and a moving metal surface need no case of their own in the sums.
 
+use crate::fluid::carry::Walls;
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::{Geometry, dot};
 use rayon::prelude::*;
@@ -31,29 +32,34 @@ impl<const D: usize> Plane<D> {
     };
 
     /// Distance of a point from the plane, positive on the liquid side.
+    #[inline]
     #[must_use]
     pub fn distance(&self, x: [f64; D]) -> f64 {
         dot(self.normal, x) - self.offset
     }
 
+    #[inline]
     fn reflect(&self, x: [f64; D], about: f64) -> [f64; D] {
         let d = dot(self.normal, x) - about;
         std::array::from_fn(|k| x[k] - 2.0 * d * self.normal[k])
     }
 
     /// Mirror image of a point.
+    #[inline]
     #[must_use]
     pub fn mirror(&self, x: [f64; D]) -> [f64; D] {
         self.reflect(x, self.offset)
     }
 
     /// Mirror image of a direction (shifting, acceleration).
+    #[inline]
     #[must_use]
     pub fn mirror_direction(&self, d: [f64; D]) -> [f64; D] {
         self.reflect(d, 0.0)
     }
 
     /// Mirror image of a tensor, Q g Q with Q = 1 - 2 n n.
+    #[inline]
     #[must_use]
     pub fn mirror_tensor(&self, g: [[f64; D]; D]) -> [[f64; D]; D] {
         let column = |m: &[[f64; D]; D], j: usize| m.map(|row| row[j]);
@@ -62,6 +68,7 @@ impl<const D: usize> Plane<D> {
     }
 
     /// Mirror image of a velocity.
+    #[inline]
     #[must_use]
     pub fn mirror_velocity(&self, v: [f64; D]) -> [f64; D] {
         self.reflect(v, self.speed)
@@ -80,6 +87,12 @@ pub trait Wall<const D: usize = 2>: Sync {
 
     /// Whether it belongs to a body that the liquid pushes.
     fn is_surface(&self) -> bool {
+        false
+    }
+
+    /// Whether no point between `lower` and `upper` can be nearer than `reach`, if that can be told at once.
+    fn is_clear(&self, lower: [f64; D], upper: [f64; D], reach: f64) -> bool {
+        let _ = (lower, upper, reach);
         false
     }
 
@@ -117,6 +130,17 @@ impl<const D: usize> Wall<D> for Plane<D> {
     fn is_near(&self, x: [f64; D], reach: f64) -> bool {
         self.distance(x) < reach
     }
+
+    fn is_clear(&self, lower: [f64; D], upper: [f64; D], reach: f64) -> bool {
+        let toward = |k: usize| {
+            if self.normal[k] > 0.0 {
+                lower[k]
+            } else {
+                upper[k]
+            }
+        };
+        self.distance(std::array::from_fn(toward)) >= reach
+    }
 }
 
 /// Sources and planes of all ghosts; entry k is particle `n + k` of the extended arrays.
@@ -150,25 +174,18 @@ impl<const D: usize> Default for Ghosts<D> {
 }
 
 impl<const D: usize> Ghosts<D> {
-    /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too. Of each wall, in
-    /// the order of the clusters.
+    /// Finds all ghosts of a liquid between `walls`; those of the axis come last and mirror wall ghosts too.
     #[must_use]
     pub fn find(fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) -> Self {
         let mut ghosts = Self::default();
-        let shadows: Vec<_> = walls.iter().map(|wall| wall.shadow()).collect();
-        let place = |a: usize| (fluid.position[a], REACH * fluid.smoothing_length[a]);
-        let near = |a: usize| {
-            let (x, reach) = place(a);
-            (walls.iter().zip(&shadows)).any(|(wall, shadow)| {
-                !shadow.is_some_and(|s| s.is_clear(x, reach)) && wall.is_near(x, reach)
-            })
-        };
-        let candidates = select(fluid, near);
+        let candidates = near_walls(fluid, walls);
         for (w, wall) in walls.iter().enumerate() {
             for &a in &candidates {
-                let (x, reach) = place(a as usize);
-                if let Some(plane) = wall.plane(x, reach) {
-                    ghosts.push(a as usize, plane, w as u32, wall.is_surface());
+                let a = a as usize;
+                if let Some(plane) =
+                    wall.plane(fluid.position[a], REACH * fluid.smoothing_length[a])
+                {
+                    ghosts.push(a, plane, w as u32, wall.is_surface());
                 }
             }
         }
@@ -183,9 +200,11 @@ impl<const D: usize> Ghosts<D> {
     fn mirror_axis(&mut self, fluid: &Fluid<D>) {
         let n = fluid.len();
         let near = |x: [f64; D], h: f64| x[0] < REACH * h;
-        let own = select(fluid, |a| {
-            near(fluid.position[a], fluid.smoothing_length[a])
-        });
+        let places = fluid.position.iter().zip(&fluid.smoothing_length);
+        let own = places
+            .enumerate()
+            .filter(|(_, (x, h))| near(**x, **h))
+            .map(|(a, _)| a);
         let walls = self.source.len();
         let mut images: Vec<[f64; D]> = Vec::with_capacity(walls);
         for (&source, plane) in self.source.iter().zip(&self.plane) {
@@ -196,7 +215,7 @@ impl<const D: usize> Ghosts<D> {
             images.push(plane.mirror(x));
         }
         for a in own {
-            self.push(a as usize, Plane::AXIS, AXIS, false);
+            self.push(a, Plane::AXIS, AXIS, false);
         }
         for (k, x) in images.into_iter().enumerate() {
             let h = fluid.smoothing_length[self.particle(n, n + k)];
@@ -280,21 +299,20 @@ impl<const D: usize> Ghosts<D> {
     }
 }
 
-/// Particles that are `wanted`, in the order of the clusters.
-fn select<const D: usize>(fluid: &Fluid<D>, wanted: impl Fn(usize) -> bool + Sync) -> Vec<u32> {
-    let n = fluid.len();
-    let order = &fluid.clustering.order;
-    let at = |i: usize| {
-        if order.len() == n {
-            order[i] as usize
-        } else {
-            i
-        }
-    };
-    (0..n)
-        .into_par_iter()
-        .with_min_len(PARTICLES_PER_TASK)
-        .map(|i| at(i) as u32)
-        .filter(|a| wanted(*a as usize))
-        .collect()
+/// Particles that some of the walls may mirror.
+fn near_walls<const D: usize>(fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) -> Vec<u32> {
+    let walls = Walls::new(walls);
+    let blocks: Vec<Vec<u32>> = (fluid.position.par_chunks(PARTICLES_PER_TASK))
+        .zip(fluid.smoothing_length.par_chunks(PARTICLES_PER_TASK))
+        .enumerate()
+        .map(|(block, (position, h))| {
+            let largest = h.iter().copied().fold(0.0, f64::max);
+            let walls = walls.beside(position, REACH * largest);
+            let near = |i: &usize| walls.is_near(position[*i], REACH * h[*i]);
+            let first = block * PARTICLES_PER_TASK;
+            let near = (0..h.len()).filter(near);
+            near.map(|i| (first + i) as u32).collect()
+        })
+        .collect();
+    blocks.concat()
 }

@@ -7,15 +7,16 @@
 //! Riemann problem moves between neighbours of unequal pressure; the linear part of the pressure, known from the
 //! acceleration (grad p = -rho a), is taken out first, which makes the first-order smoothing third order.
 
-use crate::fluid::Fluid;
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::moments::{apply_lanes, inverse, smallest_eigenvalue};
 use crate::fluid::pair::{Pair, add_scaled, half_ring, limited, plus, scaled};
 use crate::fluid::places::{self, Places};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::geometry::Geometry;
 use crate::kernel;
 use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
+use rayon::prelude::*;
 
 /// Strength of the short-range term in the crowding.
 const CLUMPING: f64 = 0.2;
@@ -66,7 +67,7 @@ struct Law<const D: usize> {
 /// Memory of the sums.
 pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Kinematics<D>>;
 
-/// Kinematics of every particle, by place in `memory`.
+/// Kinematics of every particle, in `memory`.
 pub(crate) fn sweep<const D: usize>(
     fluid: &Fluid<D>,
     ghosts: &Ghosts<D>,
@@ -80,13 +81,10 @@ pub(crate) fn sweep<const D: usize>(
         rings: geometry == Geometry::Axisymmetric,
         clumping: CLUMPING / at_spacing.powi(4),
     };
-    places.sum(
-        &law,
-        ghosts,
-        |a| particle(fluid, a),
-        |plane, p| image(geometry, plane, p),
-        memory,
-    );
+    (places.records(memory).par_iter_mut().enumerate())
+        .with_min_len(PARTICLES_PER_TASK)
+        .for_each(|(a, record)| *record = particle(fluid, a));
+    places.sum(&law, ghosts, |plane, p| image(geometry, plane, p), memory);
 }
 
 fn particle<const D: usize>(fluid: &Fluid<D>, a: usize) -> Particle<D> {

@@ -5,6 +5,7 @@
 //! volume itself, h = 1.3 cbrt(V).
 
 pub mod axis_function;
+mod carry;
 pub mod corrected;
 mod extended;
 pub mod far_field;
@@ -71,7 +72,7 @@ pub struct Fluid<const D: usize = 2> {
     pub(crate) side_depth: Vec<f64>,
     /// What the particles do to each other.
     pub formulation: Formulation,
-    /// Which particles are summed side by side.
+    /// How well particles that follow each other lie together.
     pub clustering: Clustering,
     /// Where each particle comes from.
     pub origin: Vec<refinement::Origin>,
@@ -152,7 +153,7 @@ impl<const D: usize> Fluid<D> {
             far_field: vec![FarField::NONE; n],
             side_depth: vec![f64::INFINITY; n],
             formulation: start.formulation,
-            clustering: Clustering::of(n),
+            clustering: Clustering::default(),
             origin: (0..n as u32)
                 .map(|id| refinement::Origin { id, level: 0 })
                 .collect(),
@@ -193,18 +194,21 @@ impl<const D: usize> Fluid<D> {
     }
 
     /// Density of particle `a`, kg/m3.
+    #[inline]
     #[must_use]
     pub fn density(&self, a: usize) -> f64 {
         self.mass[a] / self.volume[a]
     }
 
     /// Meridional area of particle `a`, m2; its volume in three dimensions, m3.
+    #[inline]
     #[must_use]
     pub fn area(&self, a: usize) -> f64 {
         self.volume[a] / self.geometry.ring(self.position[a][0])
     }
 
     /// Sound speed of particle `a`, m/s.
+    #[inline]
     #[must_use]
     pub fn sound_speed(&self, a: usize) -> f64 {
         let (density, pressure) = (self.density(a), self.pressure[a]);
@@ -252,43 +256,6 @@ impl<const D: usize> Fluid<D> {
             *new = h.clamp(SMOOTHING_RANGE.0 * h0, SMOOTHING_RANGE.1 * h0);
         });
         self.smoothing_length = new;
-    }
-
-    /// Moves every particle as `advance` says (from particle, position, velocity); one that would cross the axis or a wall is
-    /// mirrored back and counted.
-    pub(crate) fn carry(
-        &mut self,
-        walls: &[&dyn Wall<D>],
-        advance: impl Fn(usize, &mut [f64; D], &mut [f64; D]) + Sync,
-    ) {
-        let axis = self.geometry == Geometry::Axisymmetric;
-        let walls: Vec<_> = walls.iter().map(|w| (*w, w.shadow())).collect();
-        let crossings = (self.position.par_iter_mut().zip(&mut self.velocity))
-            .enumerate()
-            .with_min_len(PARTICLES_PER_TASK)
-            .map(|(a, (x, v))| {
-                let mut crossings = [0, 0];
-                advance(a, x, v);
-                if axis && x[0] <= 0.0 {
-                    x[0] = -x[0];
-                    v[0] = -v[0];
-                    crossings[0] += 1;
-                }
-                for (wall, shadow) in &walls {
-                    if shadow.is_some_and(|s| s.is_clear(*x, 0.0)) || !wall.is_near(*x, 0.0) {
-                        continue;
-                    }
-                    if let Some(plane) = wall.plane(*x, 0.0) {
-                        *x = plane.mirror(*x);
-                        *v = plane.mirror_velocity(*v);
-                        crossings[1] += 1;
-                    }
-                }
-                crossings
-            })
-            .reduce(|| [0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
-        self.account.axis_crossings += crossings[0];
-        self.account.wall_crossings += crossings[1];
     }
 
     /// Largest stable time step (s) and the particle that sets it: safety * h/(c + |v|).
@@ -359,9 +326,17 @@ pub(crate) fn ordered_sum(n: usize, of: impl Fn(usize) -> f64 + Sync + Send) -> 
 pub(crate) fn ordered_sums<const N: usize>(
     numbers: impl IndexedParallelIterator<Item = [f64; N]>,
 ) -> [f64; N] {
-    let add = |sum: [f64; N], x: [f64; N]| std::array::from_fn(|i| sum[i] + x[i]);
-    let blocks: Vec<[f64; N]> = numbers
-        .fold_chunks(PARTICLES_PER_TASK, || [0.0; N], add)
-        .collect();
+    sum_of_blocks(numbers.fold_chunks(PARTICLES_PER_TASK, || [0.0; N], add))
+}
+
+/// The sums of blocks of [`PARTICLES_PER_TASK`] particles, added in their order.
+pub(crate) fn sum_of_blocks<const N: usize>(
+    blocks: impl IndexedParallelIterator<Item = [f64; N]>,
+) -> [f64; N] {
+    let blocks: Vec<[f64; N]> = blocks.collect();
     blocks.into_iter().fold([0.0; N], add)
+}
+
+fn add<const N: usize>(sum: [f64; N], x: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| sum[i] + x[i])
 }

@@ -7,15 +7,16 @@
 //! identity, since the deficit of the plain sum is the condition p = 0 half a spacing outside the first particle. p_x is
 //! the pressure outside a far field, zero elsewhere.
 
-use crate::fluid::Fluid;
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::kinematics::Kinematics;
 use crate::fluid::moments::{Matrix, apply};
 use crate::fluid::pair::{Pair, add_scaled, dot, limited, plus, scaled};
 use crate::fluid::places;
 use crate::fluid::step::Sweep;
+use crate::fluid::{Fluid, PARTICLES_PER_TASK};
 use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
+use rayon::prelude::*;
 
 /// Above this eigenvalue of the moment matrix the corrected gradient is used.
 const INSIDE: f64 = 0.85;
@@ -73,17 +74,18 @@ pub(crate) fn sweep<const D: usize>(
     surroundings: impl Fn(usize) -> ([f64; D], f64) + Sync,
     sweep: &mut Sweep<D>,
 ) {
-    let places = &sweep.places;
-    let kinematics = |a: usize| &sweep.memory.kinematics.results[places.of(a)];
+    let (places, kinematics) = (&sweep.places, &sweep.memory.kinematics.results);
     let memory = &mut sweep.memory.momentum;
-    let of = |a: usize| particle(fluid, surroundings(a), kinematics(a), a);
-    places.sum(&Law::<D>, ghosts, of, image, memory);
+    (places.records(memory).par_iter_mut().enumerate())
+        .with_min_len(PARTICLES_PER_TASK)
+        .for_each(|(a, record)| *record = particle(fluid, surroundings(a), &kinematics[a], a));
+    places.sum(&Law::<D>, ghosts, image, memory);
 }
 
 /// Forces on particle `a` with the sums of the last sweep.
 pub(crate) fn forces<const D: usize>(fluid: &Fluid<D>, sweep: &Sweep<D>, a: usize) -> Forces<D> {
     let correction = correction(sweep.kinematics(a));
-    let sums = &sweep.memory.momentum.results[sweep.places.of(a)];
+    let sums = &sweep.memory.momentum.results[a];
     sums.forces(correction, fluid.density(a))
 }
 

@@ -1,8 +1,8 @@
 //! Where particles and ghosts stand in the clusters of eight.
 //!
-//! Places: particles in the order of their clusters, ghosts of axis and rigid sides, ghosts of surfaces of solids; each of the
-//! three is filled up to a multiple of eight with places that nobody has for a neighbour. The particles themselves stay where
-//! they are in the arrays of the liquid; only the order is renewed.
+//! Places: particles as they follow each other in the arrays of the liquid, ghosts of axis and rigid sides, ghosts of surfaces of
+//! solids; each of the three is filled up to a multiple of eight with places that nobody has for a neighbour. Particles that follow
+//! each other lie close together: where they no longer do, all arrays are put in a new order.
 
 use crate::fluid::ghosts::{Ghosts, Plane};
 use crate::fluid::{Fluid, PARTICLES_PER_TASK};
@@ -22,47 +22,27 @@ const STALE: f64 = 1.1;
 /// less than half of h |grad v| dt: 2.5, and more for a rate that grows from one step to the next. Motion comes on top.
 const ROOM: (f64, f64) = (0.005, 4.0);
 
-/// Which eight particles make a cluster. Results depend on it in the last bits: part of a checkpoint.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// How well eight particles that follow each other lie together. When they are put in a new order depends on it: part of a
+/// checkpoint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Clustering {
-    /// Particles in the order of the clusters.
-    pub order: Vec<u32>,
-    /// Length of all lists when the clusters were new; 0 when they have none yet.
+    /// Length of all lists when the order was new; 0 when there are none yet.
     pub fresh: usize,
-    /// Whether the next step makes new clusters.
+    /// Whether the next step makes a new order.
     pub stale: bool,
 }
 
-impl Clustering {
-    /// Clusters that the first step will make.
-    pub(crate) fn of(n: usize) -> Self {
+impl Default for Clustering {
+    /// The first step makes an order.
+    fn default() -> Self {
         Self {
-            order: (0..n as u32).collect(),
             fresh: 0,
             stale: true,
         }
     }
+}
 
-    /// Whether the order names each particle once.
-    #[must_use]
-    pub fn is_complete(&self) -> bool {
-        let mut seen = vec![false; self.order.len()];
-        for &a in &self.order {
-            if let Some(seen) = seen.get_mut(a as usize) {
-                *seen = true;
-            }
-        }
-        seen.iter().all(|s| *s)
-    }
-
-    /// New clusters where the old ones no longer lie together.
-    fn renew<const D: usize>(&mut self, position: &[[f64; D]]) {
-        if self.stale || self.order.len() != position.len() {
-            self.order = compact_order(position);
-            self.fresh = 0;
-        }
-    }
-
+impl Clustering {
     /// Whether the clusters still lie together, from the length of all lists.
     fn judge(&mut self, entries: usize) {
         if self.fresh == 0 {
@@ -79,9 +59,12 @@ impl<const D: usize> Fluid<D> {
         (1.0 + room) * self.smoothing_length[a] + 0.5 * dt * length(self.velocity[a])
     }
 
-    /// New clusters if those of the last step no longer lie together.
+    /// A new order of the particles if those of a cluster no longer lie together.
     pub(crate) fn renew_clusters(&mut self) {
-        self.clustering.renew(&self.position);
+        if self.clustering.stale {
+            self.arrange(&compact_order(&self.position));
+            self.clustering.fresh = 0;
+        }
     }
 }
 
@@ -105,9 +88,7 @@ impl<P, R> Default for Sums<P, R> {
 /// Places and lists of one step. Kept for the next step for the sake of its memory.
 #[derive(Debug, Clone)]
 pub(crate) struct Places<const D: usize> {
-    order: Vec<u32>,
-    /// Place of each particle.
-    of_particle: Vec<u32>,
+    particles: usize,
     /// Place of each ghost.
     of_ghost: Vec<u32>,
     lists: ClusterLists<D>,
@@ -118,8 +99,7 @@ pub(crate) struct Places<const D: usize> {
 impl<const D: usize> Default for Places<D> {
     fn default() -> Self {
         Self {
-            order: Vec::new(),
-            of_particle: Vec::new(),
+            particles: 0,
             of_ghost: Vec::new(),
             lists: ClusterLists::default(),
             total: 0,
@@ -132,7 +112,7 @@ impl<const D: usize> Places<D> {
     /// Places and neighbours for the rest of a step of `dt`: pairs that come into the support of the kernel until its end are in
     /// the lists too.
     pub(crate) fn find(&mut self, fluid: &mut Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
-        self.number(&fluid.clustering.order, &ghosts.surface);
+        self.number(fluid.len(), &ghosts.surface);
         self.place(fluid, ghosts, dt);
         let clusters = fluid.len().div_ceil(LANES);
         let ordinary = ghosts.surface.iter().filter(|s| !**s).count();
@@ -143,13 +123,13 @@ impl<const D: usize> Places<D> {
 
     /// Points of all places, in their groups.
     fn place(&mut self, fluid: &Fluid<D>, ghosts: &Ghosts<D>, dt: f64) {
-        let own = (self.order.par_chunks(LANES))
+        let own = (fluid.position.par_chunks(LANES))
+            .enumerate()
             .with_min_len(PARTICLES_PER_TASK / LANES)
-            .map(|members| {
+            .map(|(cluster, position)| {
                 let mut points = Points::NONE;
-                for (lane, &a) in members.iter().enumerate() {
-                    let a = a as usize;
-                    points.set(lane, fluid.position[a], fluid.reach(a, dt));
+                for (lane, x) in position.iter().enumerate() {
+                    points.set(lane, *x, fluid.reach(cluster * LANES + lane, dt));
                 }
                 points
             });
@@ -163,17 +143,10 @@ impl<const D: usize> Places<D> {
         }
     }
 
-    fn number(&mut self, order: &[u32], surface: &[bool]) {
-        if self.order != order {
-            self.order.clear();
-            self.order.extend_from_slice(order);
-            self.of_particle.resize(order.len(), 0);
-            for (place, &a) in order.iter().enumerate() {
-                self.of_particle[a as usize] = place as u32;
-            }
-        }
+    fn number(&mut self, particles: usize, surface: &[bool]) {
+        self.particles = particles;
         let ordinary = surface.iter().filter(|s| !**s).count();
-        let mut next = [order.len().next_multiple_of(LANES), 0];
+        let mut next = [particles.next_multiple_of(LANES), 0];
         next[1] = next[0] + ordinary.next_multiple_of(LANES);
         self.of_ghost.clear();
         self.of_ghost.extend(surface.iter().map(|s| {
@@ -184,38 +157,28 @@ impl<const D: usize> Places<D> {
         self.total = next[1].next_multiple_of(LANES);
     }
 
-    /// One record per place, and eight more where nobody stands: `of` a particle, `image` of another record in a plane.
-    fn fill<R: Record>(
-        &self,
-        records: &mut Vec<R>,
-        ghosts: &Ghosts<D>,
-        of: impl Fn(usize) -> R + Sync,
-        image: impl Fn(&Plane<D>, R) -> R,
-    ) {
-        let n = self.order.len();
-        records.resize(self.total + LANES, R::default());
-        (records[..n].par_iter_mut().zip(&self.order))
-            .with_min_len(PARTICLES_PER_TASK)
-            .for_each(|(record, a)| *record = of(*a as usize));
-        records[n..].fill(R::default());
-        for (k, place) in self.of_ghost.iter().enumerate() {
-            records[*place as usize] =
-                image(&ghosts.plane[k], records[self.source_place(ghosts, k)]);
-        }
+    /// The records of all particles, to be filled before [`Self::sum`].
+    pub(crate) fn records<'a, P: Record, R>(&self, sums: &'a mut Sums<P, R>) -> &'a mut [P] {
+        sums.records.resize(self.total + LANES, P::default());
+        &mut sums.records[..self.particles]
     }
 
-    /// Sums over the neighbours, with a record `of` each particle and the `image` of a record in a plane; use [`Self::of`] to
-    /// find those of a particle.
+    /// Sums over the neighbours, with the records of the particles and the `image` of a record in a plane. Where nobody stands there
+    /// is a record of zeros.
     pub(crate) fn sum<L: PairSum>(
         &self,
         law: &L,
         ghosts: &Ghosts<D>,
-        of: impl Fn(usize) -> L::Particle + Sync,
         image: impl Fn(&Plane<D>, L::Particle) -> L::Particle,
         sums: &mut Sums<L::Particle, L::Result>,
     ) {
-        self.fill(&mut sums.records, ghosts, of, image);
-        self.lists.sum(law, &sums.records, &mut sums.results);
+        let records = &mut sums.records;
+        records[self.particles..].fill(L::Particle::default());
+        for (k, place) in self.of_ghost.iter().enumerate() {
+            records[*place as usize] =
+                image(&ghosts.plane[k], records[self.source_place(ghosts, k)]);
+        }
+        self.lists.sum(law, records, &mut sums.results);
     }
 
     /// The sums once more after `change` has changed the records of some particles (and says of which): only where these are
@@ -229,10 +192,11 @@ impl<const D: usize> Places<D> {
         sums: &mut Sums<L::Particle, L::Result>,
     ) {
         let mut marked = vec![false; self.total + LANES];
-        (marked.par_iter_mut().zip(&mut sums.records))
-            .zip(&self.order)
+        (marked[..self.particles].par_iter_mut())
+            .zip(&mut sums.records)
+            .enumerate()
             .with_min_len(PARTICLES_PER_TASK)
-            .for_each(|((marked, record), &a)| *marked = change(a as usize, record));
+            .for_each(|(a, (marked, record))| *marked = change(a, record));
         for (k, &place) in self.of_ghost.iter().enumerate() {
             let source = self.source_place(ghosts, k);
             if marked[source] {
@@ -247,21 +211,14 @@ impl<const D: usize> Places<D> {
     /// Place of what ghost `k` is an image of.
     fn source_place(&self, ghosts: &Ghosts<D>, k: usize) -> usize {
         let source = ghosts.source[k] as usize;
-        let place = match source.checked_sub(self.order.len()) {
-            None => self.of_particle[source],
-            Some(ghost) => self.of_ghost[ghost],
-        };
-        place as usize
+        match source.checked_sub(self.particles) {
+            None => source,
+            Some(ghost) => self.of_ghost[ghost] as usize,
+        }
     }
 
     /// Number of particles that have a place.
     pub(crate) fn len(&self) -> usize {
-        self.of_particle.len()
-    }
-
-    /// Place of particle `a`.
-    #[inline]
-    pub(crate) fn of(&self, a: usize) -> usize {
-        self.of_particle[a] as usize
+        self.particles
     }
 }

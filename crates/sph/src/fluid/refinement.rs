@@ -83,7 +83,7 @@ impl Fluid {
         if merges + splits == 0 {
             return;
         }
-        self.clustering = Clustering::of(self.len());
+        self.clustering = Clustering::default();
         let loss = before - self.kinetic_energy() - self.compression_energy();
         self.account.dissipation += loss;
         let changes = &mut self.account.refinement;

@@ -18,9 +18,9 @@ use crate::fluid::ghosts::Plane;
 use crate::fluid::kinematics::Kinematics;
 use crate::fluid::moments::Matrix;
 use crate::fluid::pair::{Pair, dot, half_ring, plus};
-use crate::fluid::places::{self, Places};
+use crate::fluid::places;
 use crate::fluid::step::Sweep;
-use crate::fluid::{Fluid, PARTICLES_PER_TASK, compression_energy, kinetic_energy, ordered_sums};
+use crate::fluid::{Fluid, PARTICLES_PER_TASK, compression_energy, kinetic_energy, sum_of_blocks};
 use crate::geometry::{self, Geometry, length};
 use crate::neighbours::pair_sum::{PairSum, record};
 use crate::simd::Simd;
@@ -37,6 +37,7 @@ const LARGEST_SHARE: f64 = 0.1;
 const LEVELLING: f64 = 10.0;
 
 /// Shifting velocity of a particle with smoothing length `h` and the norm `strain` of its velocity gradient, m/s.
+#[inline]
 pub(crate) fn velocity<const D: usize>(
     h: f64,
     strain: f64,
@@ -60,6 +61,7 @@ pub(crate) fn velocity<const D: usize>(
 }
 
 /// Frobenius norm of a velocity gradient, 1/s.
+#[inline]
 pub(crate) fn norm<const D: usize>(g: &Matrix<D>) -> f64 {
     g.iter().flatten().map(|x| x * x).sum::<f64>().sqrt()
 }
@@ -105,23 +107,18 @@ struct Exchange<const D: usize> {
 /// Memory of the sums.
 pub(crate) type Memory<const D: usize> = places::Sums<Particle<D>, Gain<D>>;
 
-/// Moves volume, mass and momentum between neighbours for one step of shifting with velocities `shift`.
-pub(crate) fn exchange<const D: usize>(
-    fluid: &mut Fluid<D>,
-    sweep: &mut Sweep<D>,
-    shift: &[[f64; D]],
-    dt: f64,
-) {
+/// Moves volume, mass and momentum between neighbours for one step of shifting; the records of the particles are there.
+pub(crate) fn exchange<const D: usize>(fluid: &mut Fluid<D>, sweep: &mut Sweep<D>, dt: f64) {
     let (ghosts, places, memory) = (&sweep.ghosts, &sweep.places, &mut sweep.memory.shifting);
     let law = Exchange::<D> { dt };
     let geometry = fluid.geometry;
     let image = |plane: &Plane<D>, p| image(geometry, plane, p);
-    places.sum(&law, ghosts, |a| particle(fluid, shift, a), image, memory);
+    places.sum(&law, ghosts, image, memory);
     let most = |a: usize| LARGEST_SHARE * fluid.volume[a];
     let particles = (0..fluid.len())
         .into_par_iter()
         .with_min_len(PARTICLES_PER_TASK);
-    let given = |a: usize| -memory.results[places.of(a)].given;
+    let given = |a: usize| -memory.results[a].given;
     let limited = particles.clone().filter(|a| given(*a) > most(*a)).count();
     if limited > 0 {
         let given: Vec<f64> = particles.map(given).collect();
@@ -135,59 +132,73 @@ pub(crate) fn exchange<const D: usize>(
         places.sum_again(&law, ghosts, limit, image, memory);
     }
     fluid.account.limited_exchanges += limited as u64;
-    fluid.take(&memory.results, places);
+    fluid.take(&memory.results);
 }
 
 impl<const D: usize> Fluid<D> {
     /// Volume, mass and velocity with what was gained, and the pressure that goes with them; energy lost in the mixing goes to
     /// the account.
-    fn take(&mut self, gains: &[Gain<D>], places: &Places<D>) {
+    fn take(&mut self, gains: &[Gain<D>]) {
         let eos = self.eos;
         let cavitating = AtomicU64::new(0);
-        let losses = (self.velocity.par_iter_mut())
-            .zip(&mut self.mass)
-            .zip(&mut self.volume)
-            .zip(&mut self.pressure)
-            .enumerate()
-            .map(|(a, (((velocity, mass), volume), pressure))| {
-                let gain = &gains[places.of(a)];
-                let before =
-                    kinetic_energy(*mass, *velocity) + compression_energy(&eos, *mass, *volume);
-                let m = *mass + gain.mass;
-                for (v, momentum) in velocity.iter_mut().zip(gain.momentum) {
-                    *v = (*mass * *v + momentum) / m;
+        let losses = (self.velocity.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(self.mass.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(self.volume.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(self.pressure.par_chunks_mut(PARTICLES_PER_TASK))
+            .zip(gains.par_chunks(PARTICLES_PER_TASK))
+            .map(|((((velocity, mass), volume), pressure), gains)| {
+                let (mut loss, mut below) = (0.0, 0);
+                for (i, gain) in gains.iter().enumerate().take(mass.len()) {
+                    let before = kinetic_energy(mass[i], velocity[i])
+                        + compression_energy(&eos, mass[i], volume[i]);
+                    let m = mass[i] + gain.mass;
+                    for (v, momentum) in velocity[i].iter_mut().zip(gain.momentum) {
+                        *v = (mass[i] * *v + momentum) / m;
+                    }
+                    mass[i] = m;
+                    volume[i] += gain.volume;
+                    // Below the density at rest there is neither pressure nor energy.
+                    let density = m / volume[i];
+                    let stress = eos.pressure(density);
+                    pressure[i] = stress.max(0.0);
+                    below += u64::from(stress < 0.0);
+                    let stored =
+                        eos.specific_energy_of(density.max(eos.reference_density), pressure[i]);
+                    loss += before - kinetic_energy(m, velocity[i]) - m * stored;
                 }
-                *mass = m;
-                *volume += gain.volume;
-                // Below the density at rest there is neither pressure nor energy.
-                let density = *mass / *volume;
-                let stress = eos.pressure(density);
-                *pressure = stress.max(0.0);
-                if stress < 0.0 {
-                    cavitating.fetch_add(1, Ordering::Relaxed);
-                }
-                let stored = eos.specific_energy_of(density.max(eos.reference_density), *pressure);
-                [before - kinetic_energy(*mass, *velocity) - *mass * stored]
+                cavitating.fetch_add(below, Ordering::Relaxed);
+                [loss]
             });
-        let [loss] = ordered_sums(losses);
+        let [loss] = sum_of_blocks(losses);
         self.account.dissipation += loss;
         self.account.cavitating += cavitating.into_inner();
     }
 }
 
-fn particle<const D: usize>(fluid: &Fluid<D>, shift: &[[f64; D]], a: usize) -> Particle<D> {
-    let position = fluid.position[a];
-    Particle {
-        position,
-        h: fluid.smoothing_length[a],
-        area: fluid.area(a),
-        size: fluid.area(a) / fluid.initial_smoothing_length[a].powi(D as i32),
-        shift: shift[a],
-        levelling: LEVELLING * fluid.strain_rate[a],
-        density: fluid.density(a),
-        half_ring: half_ring(fluid.geometry, position[0]),
-        velocity: fluid.velocity[a],
-        share: 1.0,
+impl<const D: usize> Particle<D> {
+    /// Particle `a` of this volume (m3), norm of the velocity gradient (1/s) and shifting velocity (m/s).
+    #[inline]
+    pub(crate) fn new(
+        fluid: &Fluid<D>,
+        a: usize,
+        volume: f64,
+        strain_rate: f64,
+        shift: [f64; D],
+    ) -> Self {
+        let position = fluid.position[a];
+        let area = volume / fluid.geometry.ring(position[0]);
+        Self {
+            position,
+            h: fluid.smoothing_length[a],
+            area,
+            size: area / fluid.initial_smoothing_length[a].powi(D as i32),
+            shift,
+            levelling: LEVELLING * strain_rate,
+            density: fluid.mass[a] / volume,
+            half_ring: half_ring(fluid.geometry, position[0]),
+            velocity: fluid.velocity[a],
+            share: 1.0,
+        }
     }
 }
 

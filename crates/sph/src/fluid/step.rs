@@ -7,6 +7,7 @@
 //!
 //! Second order in time: volume changes with the velocity of the middle of the step at the positions of the middle.
 
+use crate::fluid::carry::Walls;
 use crate::fluid::extended::Extended;
 use crate::fluid::ghosts::{Ghosts, Wall};
 use crate::fluid::kinematics::{self, Kinematics};
@@ -99,7 +100,7 @@ impl<const D: usize> Sweep<D> {
     /// What the first sweep found for particle `a`.
     #[inline]
     pub(crate) fn kinematics(&self, a: usize) -> &Kinematics<D> {
-        &self.memory.kinematics.results[self.places.of(a)]
+        &self.memory.kinematics.results[a]
     }
 }
 
@@ -112,8 +113,9 @@ impl<const D: usize> Fluid<D> {
         clock: &mut Phases,
     ) -> Sweep<D> {
         let half = 0.5 * dt;
+        let bounds = Walls::new(walls);
         let rate = std::mem::take(&mut self.acceleration);
-        self.carry(walls, |a, x, v| {
+        self.carry(&bounds, |a, x, v| {
             for i in 0..D {
                 v[i] += half * rate[a][i];
                 x[i] += half * v[i];
@@ -133,7 +135,7 @@ impl<const D: usize> Fluid<D> {
         }
         clock.lap(Phase::Sweeps);
         let shift = &sweep.memory.shift;
-        self.carry(walls, |a, x, v| {
+        self.carry(&bounds, |a, x, v| {
             for i in 0..D {
                 x[i] += dt * shift[a][i];
                 x[i] += half * v[i];

@@ -19,6 +19,7 @@ struct Lanes(__m256d, __m256d);
 pub(super) fn run<T: Task>(task: T) -> T::Output {
     #[target_feature(enable = "avx2,fma")]
     fn with_features<T: Task>(task: T) -> T::Output {
+        super::align_stack();
         task.run::<Lanes>()
     }
     assert!(Width::Avx2.is_available());

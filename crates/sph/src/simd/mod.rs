@@ -200,5 +200,14 @@ pub fn run<T: Task>(task: T) -> T::Output {
     }
 }
 
+/// Makes the function that this is inlined into begin its frame at a cache line. Without it the compiler keeps vectors that find no
+/// register at multiples of 16 bytes, where most of them lie across two lines (2 to 3 % of a step of a liquid).
+#[inline(always)]
+fn align_stack() {
+    #[repr(align(64))]
+    struct Line([u8; 64]);
+    let _ = std::hint::black_box(&mut Line([0; 64])).0;
+}
+
 #[cfg(test)]
 mod tests;

@@ -14,7 +14,7 @@ use crate::output::error::OutputError;
 use crc32fast::hash;
 
 /// Version of the form of checkpoint files and of what the arrays in them mean. 2: liquids have the order of their clusters.
-pub const SCHEMA: u32 = 2;
+pub const SCHEMA: u32 = 3;
 /// Not text, so that a conversion of line ends is noticed.
 const SIGNATURE: [u8; 8] = *b"\x89ERODE\r\n";
 const HEADER: usize = 32;

@@ -118,7 +118,7 @@ fn another_schema_is_told_from_damage() {
     let reason = decode(&bytes).unwrap_err();
     assert_eq!(
         reason.to_string(),
-        "it has checkpoint schema 7, and this program reads schema 2: only the version of Erode that wrote it can go on with \
+        "it has checkpoint schema 7, and this program reads schema 3: only the version of Erode that wrote it can go on with \
          it"
     );
 }

@@ -4,6 +4,7 @@ use crate::fluid::far_field::FarField;
 use crate::fluid::refinement::Origin;
 use crate::fluid::{Clustering, Fluid, SMOOTHING};
 use crate::geometry::Vec2;
+use rayon::prelude::*;
 
 /// What one of the particles is that come from others; all else is taken over or follows from it.
 pub(super) struct Piece {
@@ -37,7 +38,7 @@ impl Fluid {
         (self.far_field, self.side_depth) = (far_field.collect(), side_depth.collect());
         self.position.resize(origin.len(), [0.0; 2]);
         self.initial_smoothing_length = initial_h.to_vec();
-        self.clustering = Clustering::of(origin.len());
+        self.clustering = Clustering::default();
         (self.origin, self.next_id) = (origin, next_id);
     }
 
@@ -80,5 +81,29 @@ impl Fluid {
             strain_rate
         );
         retain!(far_field, side_depth, origin);
+    }
+}
+
+impl<const D: usize> Fluid<D> {
+    /// Puts the particles in another order: place i is taken by particle `order[i]`. The pressure of the gas on them is found anew in
+    /// every step.
+    pub(crate) fn arrange(&mut self, order: &[u32]) {
+        fn arranged<T: Copy + Send + Sync>(values: &[T], order: &[u32]) -> Vec<T> {
+            order.par_iter().map(|&a| values[a as usize]).collect()
+        }
+        if (order.iter().enumerate()).all(|(i, a)| i == *a as usize) {
+            return;
+        }
+        macro_rules! arrange {
+            ($($array:ident),*) => { $( self.$array = arranged(&self.$array, order); )* };
+        }
+        arrange!(position, velocity, acceleration, mass, volume, pressure);
+        arrange!(
+            smoothing_length,
+            initial_smoothing_length,
+            support,
+            strain_rate
+        );
+        arrange!(far_field, side_depth, origin);
     }
 }
