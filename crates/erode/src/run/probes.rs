@@ -154,6 +154,11 @@ pub(crate) fn snapshot(body: &Body, time: f64) -> Snapshot {
                 ))
                 .with(Field::scalar("area", "m2", Data::F64(area)))
                 .with(Field::scalar("support", "-", Data::F64(f.support.clone())))
+                .with(Field::scalar(
+                    "particle_id",
+                    "-",
+                    Data::U32(f.origin.iter().map(|o| o.id).collect()),
+                ))
         }
         Body::Solid(s) => {
             let q = &s.state;

@@ -171,13 +171,36 @@ impl<const D: usize> Task for Search<'_, D> {
     }
 }
 
-/// Appends places of the group that begins at `first`.
-#[inline(always)]
-fn push(list: &mut Vec<u32>, first: u32, mut bits: u8) {
-    while bits != 0 {
-        list.push(first + bits.trailing_zeros());
-        bits &= bits - 1;
+/// Which bits are set, in ascending order and filled up with zeros, and how many, for every eight bits.
+const SET: [([u8; LANES], u8); 256] = {
+    let mut table = [([0; LANES], 0); 256];
+    let mut bits = 0;
+    while bits < 256 {
+        let mut i = 0;
+        while i < LANES {
+            if bits >> i & 1 == 1 {
+                table[bits].0[table[bits].1 as usize] = i as u8;
+                table[bits].1 += 1;
+            }
+            i += 1;
+        }
+        bits += 1;
     }
+    table
+};
+
+/// Appends places of the group that begins at `first`: always eight, of which those too many are taken off again. A loop over the bits
+/// would end where the processor does not expect it.
+#[inline(always)]
+fn push(list: &mut Vec<u32>, first: u32, bits: u8) {
+    let (set, count) = &SET[bits as usize];
+    let end = list.len() + *count as usize;
+    let mut places = [first; LANES];
+    for i in 0..LANES {
+        places[i] += u32::from(set[i]);
+    }
+    list.extend_from_slice(&places);
+    list.truncate(end);
 }
 
 /// Fills a list up to an even length.

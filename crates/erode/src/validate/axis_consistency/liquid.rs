@@ -40,7 +40,9 @@ pub(super) fn liquid(
 }
 
 /// The liquid after one step of `dt`.
-pub(super) fn advance(liquid: Fluid, dt: f64) -> Result<Fluid, Failure> {
+pub(super) fn advance(mut liquid: Fluid, dt: f64) -> Result<Fluid, Failure> {
+    // The particles keep the order of the lattice, by which the checks know them.
+    liquid.clustering.stale = false;
     let body = Body::Fluid(liquid);
     let name = "liquid".into();
     let mut world = World::new(vec![Named { name, body }], 0.3)?;
