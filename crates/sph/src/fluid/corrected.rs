@@ -82,13 +82,10 @@ impl<const D: usize> Fluid<D> {
                         let (a, k) = (block * PARTICLES_PER_TASK + i, &results[i]);
                         support[i] = k.support;
                         strain_rate[i] = shifting::norm(&k.gradient);
-                        volume[i] *= (dt * (k.divergence + k.exchange / volume[i])).exp();
-                        let largest =
-                            swelling(k.support) * fluid.mass[a] / fluid.eos.reference_density;
-                        if volume[i] > largest {
-                            volume[i] = largest;
-                            held += 1;
-                        }
+                        let largest = fluid.largest_volume(a, k.support);
+                        let free = volume[i] * (dt * (k.divergence + k.exchange / volume[i])).exp();
+                        held += u64::from(free > largest);
+                        volume[i] = if free > largest { largest } else { free };
                         let h = fluid.smoothing_length[a];
                         shift[i] = shifting::velocity(h, strain_rate[i], k, s);
                         *record =
@@ -105,6 +102,11 @@ impl<const D: usize> Fluid<D> {
         self.account.parted += parted.into_inner();
         self.account.dissipation += dt * work;
         shifting::exchange(self, sweep, dt);
+    }
+
+    /// Volume (m3) to which particle `a` may swell.
+    fn largest_volume(&self, a: usize, support: f64) -> f64 {
+        swelling(support) * self.mass[a] / self.eos.reference_density
     }
 }
 

@@ -200,11 +200,12 @@ impl<const D: usize> Ghosts<D> {
     fn mirror_axis(&mut self, fluid: &Fluid<D>) {
         let n = fluid.len();
         let near = |x: [f64; D], h: f64| x[0] < REACH * h;
-        let places = fluid.position.iter().zip(&fluid.smoothing_length);
-        let own = places
-            .enumerate()
+        let places = fluid.position.par_iter().zip(&fluid.smoothing_length);
+        let own: Vec<usize> = (places.enumerate())
+            .with_min_len(PARTICLES_PER_TASK)
             .filter(|(_, (x, h))| near(**x, **h))
-            .map(|(a, _)| a);
+            .map(|(a, _)| a)
+            .collect();
         let walls = self.source.len();
         let mut images: Vec<[f64; D]> = Vec::with_capacity(walls);
         for (&source, plane) in self.source.iter().zip(&self.plane) {
@@ -315,4 +316,28 @@ fn near_walls<const D: usize>(fluid: &Fluid<D>, walls: &[&dyn Wall<D>]) -> Vec<u
         })
         .collect();
     blocks.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A box is clear of a plane when all of its corners are, and no sooner.
+    #[test]
+    fn a_box_is_clear_when_its_nearest_corner_is() {
+        for angle in 0..24 {
+            let angle = 0.26 * f64::from(angle);
+            let plane = Plane {
+                normal: [angle.cos(), angle.sin()],
+                offset: 0.3,
+                speed: 0.0,
+            };
+            let (lower, upper) = ([-0.7, 0.2], [0.4, 1.1]);
+            let corners = [lower, upper, [lower[0], upper[1]], [upper[0], lower[1]]];
+            let nearest = corners.map(|x| plane.distance(x));
+            let nearest = nearest.into_iter().fold(f64::INFINITY, f64::min);
+            assert!(plane.is_clear(lower, upper, nearest));
+            assert!(!plane.is_clear(lower, upper, nearest + 1e-12));
+        }
+    }
 }

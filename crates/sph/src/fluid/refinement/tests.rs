@@ -275,3 +275,39 @@ fn a_collapse_is_the_same_bits_for_one_and_three_threads() {
     assert_eq!(one.origin, three.origin);
     assert_eq!(one.account, three.account);
 }
+
+/// Every array follows its particle into a new order.
+#[test]
+fn a_new_order_takes_all_of_a_particle_along() {
+    let mut f = lattice(Geometry::Axisymmetric, 50e6, 0.005);
+    let n = f.len();
+    for a in 0..n {
+        let x = a as f64;
+        f.velocity[a] = [x, -x];
+        f.acceleration[a] = [2.0 * x, 0.0];
+        f.mass[a] = 1.0 + x;
+        f.volume[a] = 2.0 + x;
+        f.pressure[a] = 3.0 + x;
+        f.smoothing_length[a] = 4.0 + x;
+        f.initial_smoothing_length[a] = 5.0 + x;
+        f.support[a] = 6.0 + x;
+        f.strain_rate[a] = 7.0 + x;
+        f.far_field[a].pressure = 8.0 + x;
+        f.side_depth[a] = 9.0 + x;
+    }
+    let before = f.clone();
+    let order: Vec<u32> = (0..n as u32).rev().collect();
+    f.arrange(&order);
+    for (i, &a) in order.iter().enumerate() {
+        let a = a as usize;
+        let numbers = |f: &Fluid, a: usize| {
+            let vectors = [f.position[a], f.velocity[a], f.acceleration[a]];
+            let lengths = [f.smoothing_length[a], f.initial_smoothing_length[a]];
+            let others = [f.mass[a], f.volume[a], f.pressure[a], f.support[a]];
+            let side = [f.strain_rate[a], f.side_depth[a], f.far_field[a].pressure];
+            (vectors, lengths, others, side)
+        };
+        assert_eq!(numbers(&f, i), numbers(&before, a));
+        assert_eq!(f.origin[i].id, a as u32);
+    }
+}
