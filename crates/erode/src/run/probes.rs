@@ -212,3 +212,27 @@ pub(crate) fn snapshot(body: &Body, time: f64) -> Snapshot {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    #[test]
+    fn fields_of_a_liquid_name_the_particle_of_each_row() {
+        let text = include_str!("../cli/templates/bubble-in-liquid.toml");
+        let set = ["particles_per_radius=6", "domain=4"];
+        let set = set.map(|s| format!("setup.bubble_in_liquid.{s}"));
+        let simulation = Case::parse("case.toml", text, &set).unwrap();
+        let mut world = crate::run::world(&simulation).unwrap();
+        let body = &mut world.bodies[0].body;
+        if let Body::Fluid(f) = body {
+            f.origin.swap(3, 8);
+        }
+        let snapshot = snapshot(body, 0.0);
+        let Data::U32(ids) = &snapshot.field("particle_id").unwrap().data else {
+            panic!("numbers of particles are whole")
+        };
+        assert_eq!([ids[3], ids[8], ids[9]], [8, 3, 9]);
+    }
+}
